@@ -1,0 +1,49 @@
+//! Which agents keep their relative position to which.
+//!
+//! An [`Adjacency`] is topology and weight only: it knows agent indices, never coordinates.
+
+mod spec;
+
+pub use spec::{AdjacencySpec, Base, Weights};
+
+/// One tie of the graph.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tie {
+    /// The lower agent index.
+    pub a: u32,
+    /// The higher agent index.
+    pub b: u32,
+    /// What the person and the groups made of it; 1 for a proposed tie.
+    pub factor: f64,
+    /// The weight in the Laplacian, > 0.
+    pub weight: f64,
+}
+
+/// A weighted graph of agents.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Adjacency {
+    agent_count: usize,
+    ties: Vec<Tie>,
+}
+
+impl Adjacency {
+    /// A graph of `agent_count` agents; ties must have a < b, ascend by (a, b) and occur once.
+    ///
+    /// # Panics
+    /// When they do not: a bug, not input.
+    pub fn new(agent_count: usize, ties: Vec<Tie>) -> Self {
+        assert!(ties.iter().all(|tie| tie.a < tie.b && (tie.b as usize) < agent_count), "a tie joins two agents, lower first");
+        assert!(ties.is_sorted_by(|p, q| (p.a, p.b) < (q.a, q.b)), "ties ascend and occur once");
+        Self { agent_count, ties }
+    }
+
+    /// How many agents it spans, tied or not.
+    pub fn agent_count(&self) -> usize {
+        self.agent_count
+    }
+
+    /// Ties, ascending by (a, b).
+    pub fn ties(&self) -> &[Tie] {
+        &self.ties
+    }
+}

@@ -1,0 +1,18 @@
+//! Eigenform's engine: a scene in, a motion out.
+//!
+//! Pure: no browser, no files, no clock, no threads of its own. The page, the command line and the tests run the same code.
+//! [`scene`] is the one door for untrusted input; [`perform`] turns a scene into motion.
+
+#![forbid(unsafe_code)]
+
+pub mod adjacency;
+pub mod assignment;
+pub mod choice;
+pub mod error;
+pub mod formation;
+pub mod measure;
+pub mod motion;
+pub mod perform;
+pub mod scene;
+pub mod spectral;
+pub mod transition;

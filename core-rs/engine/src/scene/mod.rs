@@ -1,0 +1,214 @@
+//! The document: what the person made.
+//!
+//! Plain data with its defaults. Every file, link and autosave becomes a [`Scene`] through this room and no other:
+//! sizes are checked before anything is allocated, and a scene that exists is valid.
+//! Parts that the engine caches by identity are shared (`Arc`): an unchanged part is the same allocation.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use crate::adjacency::AdjacencySpec;
+use crate::choice::{Alignment, Choice, DEFAULT_SHARING, MethodName, Order, Timing};
+use crate::formation::Formation;
+
+/// One scene, version 1. What version 1 names and this type lacks is refused as unsupported unless it has its default.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Scene {
+    /// At most 200 characters.
+    pub title: String,
+    /// Of every random choice made for this scene.
+    pub seed: u32,
+    /// The place it is shown on.
+    pub stage: Stage,
+    /// How seconds read as counts.
+    pub tempo: Tempo,
+    /// Frames per second, 1–120.
+    pub frame_rate: f64,
+    /// Agents nearer than this clash; meters, 0 for no limit.
+    pub minimum_distance: f64,
+    /// The tree of groups; siblings share no agent.
+    #[cfg_attr(feature = "types", ts(as = "Vec<Group>"))]
+    pub groups: Arc<Vec<Group>>,
+    /// Who belongs together throughout the show.
+    #[cfg_attr(feature = "types", ts(as = "AdjacencySpec"))]
+    pub adjacency: Arc<AdjacencySpec>,
+    /// Version 1 has exactly one, of all agents.
+    pub tracks: Vec<Track>,
+}
+
+/// Agents that share a timeline.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Track {
+    /// One entry an agent.
+    #[cfg_attr(feature = "types", ts(as = "Vec<Agent>"))]
+    pub agents: Arc<Vec<Agent>>,
+    /// By rising time; at least one.
+    pub keyframes: Vec<Keyframe>,
+    /// `segments[i]` runs from keyframe i to keyframe i + 1.
+    pub segments: Vec<Segment>,
+}
+
+/// The stage, centered on the origin; it frames the view and is no wall.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Stage {
+    /// Along x, meters.
+    pub width: f64,
+    /// Along y, meters.
+    pub depth: f64,
+    /// Along z, meters.
+    pub height: f64,
+    /// What is painted on it.
+    pub backdrop: Backdrop,
+    /// What lengths are shown in; the scene itself is in meters.
+    pub units: Units,
+}
+
+/// What is painted on the stage.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "kebab-case")]
+pub enum Backdrop {
+    /// Nothing.
+    None,
+    /// A metric grid.
+    #[default]
+    Grid,
+    /// A college football field.
+    FootballCollege,
+    /// A high-school football field.
+    FootballHs,
+    /// A soccer pitch.
+    Soccer,
+    /// A theater stage.
+    Stage,
+}
+
+/// What lengths are shown in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum Units {
+    /// Meters.
+    #[default]
+    M,
+    /// Feet.
+    Ft,
+    /// Yards.
+    Yd,
+    /// Marching steps, eight to five yards (0.5715 m).
+    Steps,
+}
+
+/// How seconds read as counts and bars.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Tempo {
+    /// Counts a minute.
+    pub beats_per_minute: f64,
+    /// Counts a bar.
+    pub beats_per_bar: u32,
+    /// The time of the first count, seconds.
+    pub start: f64,
+}
+
+/// One member of the group.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Agent {
+    /// At most 64 characters; empty: shown by number.
+    pub name: String,
+    /// `#rrggbb`, or empty for its group's color.
+    pub color: String,
+    /// Body radius, meters.
+    pub radius: f64,
+}
+
+/// A named subset; its set is its members and its children's sets.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Group {
+    /// At most 64 characters.
+    pub name: String,
+    /// `#rrggbb`, or empty for the next of the palette.
+    pub color: String,
+    /// Agents of its own, beside its children's.
+    pub members: Vec<u32>,
+    /// Factor of the ties among its set; none: no ties of its own.
+    pub tie_weight: Option<f64>,
+    /// Groups within.
+    pub children: Vec<Group>,
+}
+
+/// A formation that the motion passes, and when.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Keyframe {
+    /// At most 64 characters; empty: shown by number.
+    pub name: String,
+    /// Seconds.
+    pub time: f64,
+    /// How long the agents stand from `time` on, seconds.
+    pub hold: f64,
+    /// `positions[i]` is always agent i.
+    #[cfg_attr(feature = "types", ts(type = "Formation"))]
+    #[serde(default)]
+    pub positions: Arc<Formation>,
+    /// Replaces the scene's adjacency here.
+    #[cfg_attr(feature = "types", ts(as = "Option<AdjacencySpec>"))]
+    pub adjacency: Option<Arc<AdjacencySpec>>,
+}
+
+/// What happens between two keyframes. Transitions are the first kind.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Segment {
+    /// From one formation to the next.
+    Transition(TransitionSpec),
+}
+
+/// How one formation becomes the next.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase")]
+pub struct TransitionSpec {
+    /// The method asked for.
+    pub method: MethodName,
+    /// What `auto` took when the person saved or shared; when present nothing is chosen again.
+    pub chosen: Option<Choice>,
+    /// How modes are paired (spectral).
+    pub order: Order,
+    /// Which turn is taken out before the modes interpolate (spectral, shared, polar).
+    pub alignment: Alignment,
+    /// Sharing ρ, 0–1: how much the two bases meet halfway (spectral).
+    pub sharing: f64,
+    /// Scale the mode coefficients so that the formation keeps its size (spectral, shared).
+    pub keep_size: bool,
+    /// How the parameter runs with time.
+    pub timing: Timing,
+}
+
+impl Default for TransitionSpec {
+    fn default() -> Self {
+        Self {
+            method: MethodName::default(),
+            chosen: None,
+            order: Order::default(),
+            alignment: Alignment::default(),
+            sharing: DEFAULT_SHARING,
+            keep_size: false,
+            timing: Timing::default(),
+        }
+    }
+}

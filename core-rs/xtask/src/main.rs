@@ -1,0 +1,5 @@
+//! Tasks.
+mod types;
+fn main() {
+    print!("{}", types::typescript());
+}

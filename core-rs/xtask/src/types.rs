@@ -1,0 +1,38 @@
+//! Writes the page's types from the engine's.
+
+use eigenform::{adjacency, choice, scene};
+use ts_rs::TS;
+
+/// The TypeScript of every type that crosses the seam, in one file.
+pub fn typescript() -> String {
+    let declarations = [
+        scene::Scene::decl(),
+        scene::Track::decl(),
+        scene::Stage::decl(),
+        scene::Backdrop::decl(),
+        scene::Units::decl(),
+        scene::Tempo::decl(),
+        scene::Agent::decl(),
+        scene::Group::decl(),
+        adjacency::AdjacencySpec::decl(),
+        adjacency::Base::decl(),
+        adjacency::Weights::decl(),
+        scene::Keyframe::decl(),
+        scene::Segment::decl(),
+        scene::TransitionSpec::decl(),
+        choice::Choice::decl(),
+        choice::MethodName::decl(),
+        choice::Order::decl(),
+        choice::Alignment::decl(),
+        choice::Timing::decl(),
+    ];
+    let mut text = String::from(
+        "// Generated from the engine's types by `cargo xtask types`. Do not edit.\n\nimport type { Formation } from \"./formation\";\n",
+    );
+    for declaration in declarations {
+        text.push_str("\nexport ");
+        text.push_str(&declaration);
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,233 @@
+// Generated from the engine's types by `cargo xtask types`. Do not edit.
+
+import type { Formation } from "./formation";
+
+export type Scene = { 
+/**
+ * At most 200 characters.
+ */
+title: string, 
+/**
+ * Of every random choice made for this scene.
+ */
+seed: number, 
+/**
+ * The place it is shown on.
+ */
+stage: Stage, 
+/**
+ * How seconds read as counts.
+ */
+tempo: Tempo, 
+/**
+ * Frames per second, 1–120.
+ */
+frameRate: number, 
+/**
+ * Agents nearer than this clash; meters, 0 for no limit.
+ */
+minimumDistance: number, 
+/**
+ * The tree of groups; siblings share no agent.
+ */
+groups: Array<Group>, 
+/**
+ * Who belongs together throughout the show.
+ */
+adjacency: AdjacencySpec, 
+/**
+ * Version 1 has exactly one, of all agents.
+ */
+tracks: Array<Track>, };
+
+export type Track = { 
+/**
+ * One entry an agent.
+ */
+agents: Array<Agent>, 
+/**
+ * By rising time; at least one.
+ */
+keyframes: Array<Keyframe>, 
+/**
+ * `segments[i]` runs from keyframe i to keyframe i + 1.
+ */
+segments: Array<Segment>, };
+
+export type Stage = { 
+/**
+ * Along x, meters.
+ */
+width: number, 
+/**
+ * Along y, meters.
+ */
+depth: number, 
+/**
+ * Along z, meters.
+ */
+height: number, 
+/**
+ * What is painted on it.
+ */
+backdrop: Backdrop, 
+/**
+ * What lengths are shown in; the scene itself is in meters.
+ */
+units: Units, };
+
+export type Backdrop = "none" | "grid" | "football-college" | "football-hs" | "soccer" | "stage";
+
+export type Units = "m" | "ft" | "yd" | "steps";
+
+export type Tempo = { 
+/**
+ * Counts a minute.
+ */
+beatsPerMinute: number, 
+/**
+ * Counts a bar.
+ */
+beatsPerBar: number, 
+/**
+ * The time of the first count, seconds.
+ */
+start: number, };
+
+export type Agent = { 
+/**
+ * At most 64 characters; empty: shown by number.
+ */
+name: string, 
+/**
+ * `#rrggbb`, or empty for its group's color.
+ */
+color: string, 
+/**
+ * Body radius, meters.
+ */
+radius: number, };
+
+export type Group = { 
+/**
+ * At most 64 characters.
+ */
+name: string, 
+/**
+ * `#rrggbb`, or empty for the next of the palette.
+ */
+color: string, 
+/**
+ * Agents of its own, beside its children's.
+ */
+members: Array<number>, 
+/**
+ * Factor of the ties among its set; none: no ties of its own.
+ */
+tieWeight: number | null, 
+/**
+ * Groups within.
+ */
+children: Array<Group>, };
+
+export type AdjacencySpec = { 
+/**
+ * Where the ties start from.
+ */
+base: Base, 
+/**
+ * How a factor becomes a weight.
+ */
+weights: Weights, 
+/**
+ * Ties by hand: two agents and a factor.
+ */
+ties: Array<[number, number, number]>, 
+/**
+ * Pairs that are not tied, whatever came before.
+ */
+cuts: Array<[number, number]>, };
+
+export type Base = "delaunay" | "none";
+
+export type Weights = "inverse" | "unit";
+
+export type Keyframe = { 
+/**
+ * At most 64 characters; empty: shown by number.
+ */
+name: string, 
+/**
+ * Seconds.
+ */
+time: number, 
+/**
+ * How long the agents stand from `time` on, seconds.
+ */
+hold: number, 
+/**
+ * `positions[i]` is always agent i.
+ */
+positions: Formation, 
+/**
+ * Replaces the scene's adjacency here.
+ */
+adjacency: AdjacencySpec | null, };
+
+export type Segment = { "kind": "transition" } & TransitionSpec;
+
+export type TransitionSpec = { 
+/**
+ * The method asked for.
+ */
+method: MethodName, 
+/**
+ * What `auto` took when the person saved or shared; when present nothing is chosen again.
+ */
+chosen: Choice | null, 
+/**
+ * How modes are paired (spectral).
+ */
+order: Order, 
+/**
+ * Which turn is taken out before the modes interpolate (spectral, shared, polar).
+ */
+alignment: Alignment, 
+/**
+ * Sharing ρ, 0–1: how much the two bases meet halfway (spectral).
+ */
+sharing: number, 
+/**
+ * Scale the mode coefficients so that the formation keeps its size (spectral, shared).
+ */
+keepSize: boolean, 
+/**
+ * How the parameter runs with time.
+ */
+timing: Timing, };
+
+export type Choice = { 
+/**
+ * Never `auto`.
+ */
+method: MethodName, 
+/**
+ * Used by spectral.
+ */
+order: Order, 
+/**
+ * Used by spectral, shared, polar.
+ */
+alignment: Alignment, 
+/**
+ * Used by spectral.
+ */
+sharing: number, };
+
+export type MethodName = "auto" | "spectral" | "shared" | "polar" | "linear";
+
+export type Order = "eigenvalue" | "greedy" | "maxmin" | "hungarian";
+
+export type Alignment = "none" | "pca" | "procrustes";
+
+export type Timing = "linear" | "smooth";

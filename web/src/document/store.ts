@@ -1,0 +1,33 @@
+import type { ReadonlySignal, Signal } from "@preact/signals";
+import type { Scene } from "./scene";
+import type { Selection } from "./selection";
+
+/** A change of the scene with the words a person reads beside Undo. Pure. */
+export interface Command {
+  readonly label: string;
+  apply(scene: Scene): Scene;
+}
+
+/** A change under way: previews start from the scene where the gesture began, and end as one undo entry or none. */
+export interface Gesture {
+  preview(command: Command): void;
+  commit(): void;
+  cancel(): void;
+}
+
+/** The scene with its history. The only place where the scene changes. */
+export interface DocumentStore {
+  readonly scene: ReadonlySignal<Scene>;
+  /** What undo would take back, in words; null when there is nothing. */
+  readonly undoLabel: ReadonlySignal<string | null>;
+  readonly redoLabel: ReadonlySignal<string | null>;
+  /** True while a gesture previews. */
+  readonly isDragging: ReadonlySignal<boolean>;
+  readonly selection: Signal<Selection>;
+  /** The keyframe the person edits; follows the selection and the playhead. */
+  readonly activeKeyframe: Signal<number>;
+  perform(command: Command): void;
+  beginGesture(): Gesture;
+  undo(): void;
+  redo(): void;
+}

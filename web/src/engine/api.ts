@@ -1,0 +1,129 @@
+import type { ReadonlySignal } from "@preact/signals";
+import type { Formation } from "../document/formation";
+import type { Choice, Scene } from "../document/scene";
+import type { SegmentMotion } from "../playback/motion";
+
+/** What the engine says of input it refuses, or of its own failure. */
+export interface EngineProblem {
+  /** Stable, kebab-case. */
+  readonly code: string;
+  /** What happened and what is admissible, one sentence. */
+  readonly what: string;
+  /** Where: a row, a field, a keyframe; empty when it is the whole. */
+  readonly where: string;
+}
+
+/** Rejections of every engine call. */
+export class EngineError extends Error {
+  constructor(readonly problem: EngineProblem) {
+    super(problem.what);
+  }
+}
+
+/** A scene that came through the door, and what the source could not say. */
+export interface Opened {
+  readonly scene: Scene;
+  readonly source: "scene" | "csv" | "link";
+  readonly notes: readonly string[];
+}
+
+export interface LinkReport {
+  /** `#s=1.…` */
+  readonly fragment: string;
+  /** Largest displacement by rounding, meters; 0 when exact. */
+  readonly rounding: number;
+  /** Keyframes that break the minimum distance only after rounding. */
+  readonly brokenKeyframes: readonly number[];
+}
+
+/** A tie of one keyframe as drawn: factor 1 is a proposed one. */
+export interface TieList {
+  /** a0, b0, a1, b1, … with a < b */
+  readonly pairs: Uint32Array;
+  readonly factors: Float64Array;
+}
+
+export interface Extreme {
+  readonly mean: number;
+  readonly max: number;
+}
+
+export interface Candidate extends Choice {
+  readonly distortion: number;
+  readonly turning: number;
+  /** Meters; null for one agent. */
+  readonly clearance: number | null;
+  readonly score: number;
+  readonly isChosen: boolean;
+}
+
+/** The measures of one transition (units as on the command line: m, s, rad). */
+export interface SegmentReport {
+  readonly choice: Choice;
+  readonly distortion: Extreme;
+  readonly turning: Extreme;
+  /** `time` in scene seconds. */
+  readonly clearance: {
+    readonly distance: number;
+    readonly time: number;
+    readonly agents: readonly [number, number];
+  } | null;
+  readonly nearCollisions: number;
+  readonly pathLength: Extreme;
+  readonly topSpeed: { readonly speed: number; readonly time: number; readonly agent: number };
+  readonly rmsRadius: { readonly min: number; readonly max: number };
+  /** Empty unless the method is auto. */
+  readonly candidates: readonly Candidate[];
+}
+
+/** One value a sample of the segment's motion. */
+export interface SegmentCurves {
+  readonly clearance: Float32Array;
+  readonly distortion: Float32Array;
+  readonly turning: Float32Array;
+  readonly topSpeed: Float32Array;
+  readonly pathLength: Float32Array;
+}
+
+export interface SegmentPlan {
+  readonly motion: SegmentMotion;
+  readonly report: SegmentReport;
+  readonly curves: SegmentCurves;
+}
+
+export type Planning =
+  | {
+      readonly kind: "planning" /** 0..1 */;
+      readonly progress: number /** The last motion of this segment, while there is none of the new scene. */;
+      readonly stale: SegmentPlan | null;
+    }
+  | { readonly kind: "ready"; readonly plan: SegmentPlan }
+  | { readonly kind: "canceled" }
+  | { readonly kind: "failed"; readonly problem: EngineProblem };
+
+/** Motions of the scene as it is, kept up to date as it changes; nearest the playhead first, latest wins. */
+export interface Planner {
+  /** By segment. */
+  readonly segments: ReadonlySignal<readonly Planning[]>;
+  /** By keyframe; null until known. */
+  readonly ties: ReadonlySignal<readonly (TieList | null)[]>;
+  /** 0..1 over all segments, null when nothing is under way. */
+  readonly progress: ReadonlySignal<number | null>;
+  cancel(): void;
+  /** Plan what was canceled or failed again. */
+  resume(): void;
+}
+
+/** Questions to the engine, each answered once. */
+export interface Engine {
+  /** Any text: scene JSON, keyframe CSV or link. */
+  open(text: string): Promise<Opened>;
+  writeScene(scene: Scene): Promise<string>;
+  writeKeyframes(scene: Scene): Promise<{ readonly text: string; readonly notes: readonly string[] }>;
+  writeMotion(scene: Scene, format: "csv" | "json"): Promise<string>;
+  link(scene: Scene, precision: "exact" | "short"): Promise<LinkReport>;
+  /** `slots[agent]` is the slot of each agent; least total squared distance. */
+  assign(source: Formation, target: Formation): Promise<Uint32Array>;
+  /** Says what happened to the engine itself: restarting, back. */
+  readonly health: ReadonlySignal<"starting" | "ready" | "restarting" | "failed">;
+}

@@ -1,0 +1,44 @@
+import { type ReadonlySignal, signal } from "@preact/signals";
+
+/** What the person should know: happened, and what to do. */
+export interface Message {
+  readonly id: number;
+  readonly tone: "good" | "problem" | "question";
+  /** What happened, in a few words. */
+  readonly title: string;
+  /** What to do, or the details. */
+  readonly text: string;
+  readonly actions: readonly { readonly label: string; run(): void }[];
+}
+
+/** Toasts at the bottom of the stage; announced to screen readers. */
+export interface Messages {
+  readonly shown: ReadonlySignal<readonly Message[]>;
+  /** Read out by the status region, shown nowhere. */
+  readonly announcement: ReadonlySignal<string>;
+  say(message: Omit<Message, "id" | "actions"> & { readonly actions?: Message["actions"] }): number;
+  announce(text: string): void;
+  dismiss(id: number): void;
+}
+
+export function createMessages(): Messages {
+  const shown = signal<readonly Message[]>([]);
+  const announcement = signal("");
+  let last = 0;
+  return {
+    shown,
+    announcement,
+    say(message) {
+      last += 1;
+      shown.value = [...shown.value.slice(-2), { actions: [], ...message, id: last }];
+      announcement.value = `${message.title} ${message.text}`;
+      return last;
+    },
+    announce(text) {
+      announcement.value = text;
+    },
+    dismiss(id) {
+      shown.value = shown.value.filter((message) => message.id !== id);
+    },
+  };
+}

@@ -1,0 +1,37 @@
+import type { ReadonlySignal, Signal } from "@preact/signals";
+import type { Point } from "../document/formation";
+
+export type ToolName = "select" | "draw" | "shape" | "tie" | "group" | "pan";
+export type ShapeName = "line" | "arc" | "circle" | "ring" | "block" | "grid" | "triangle" | "star";
+
+/** How many agents a stroke or shape makes: so many, or one every so many meters. */
+export type Spacing =
+  | { readonly by: "count"; readonly count: number }
+  | { readonly by: "interval"; readonly meters: number };
+
+/** What the handles layer draws for the tool at work, in stage meters. */
+export type Overlay =
+  | { readonly kind: "none" }
+  | { readonly kind: "marquee"; readonly from: Point; readonly to: Point }
+  | {
+      readonly kind: "stroke";
+      readonly stroke: readonly Point[];
+      readonly isClosed: boolean;
+      readonly places: readonly Point[];
+    }
+  | { readonly kind: "shape"; readonly places: readonly Point[]; readonly outline: readonly Point[] }
+  | { readonly kind: "tie"; readonly from: number; readonly to: Point; readonly target: number | null }
+  | {
+      readonly kind: "guides";
+      readonly lines: readonly { readonly from: Point; readonly to: Point; readonly gap: string | null }[];
+    };
+
+/** The tool in hand and its settings. */
+export interface Toolbox {
+  readonly active: Signal<ToolName>;
+  readonly shape: Signal<ShapeName>;
+  readonly spacing: Signal<Spacing>;
+  readonly overlay: ReadonlySignal<Overlay>;
+  /** CSS cursor of the stage. */
+  readonly cursor: ReadonlySignal<string>;
+}
