@@ -1,0 +1,34 @@
+//! The wasm package of the page, without wasm-pack: cargo compiles, wasm-bindgen's library writes the glue.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use wasm_bindgen_cli_support::Bindgen;
+
+const TARGET: &str = "wasm32-unknown-unknown";
+
+/// Compiles the engine for the browser and writes its package into `directory`.
+pub fn build(directory: &Path) -> Result<(), String> {
+    let status = Command::new(env!("CARGO"))
+        .args(["build", "--release", "--package", "eigenform-wasm", "--target", TARGET])
+        .current_dir(workspace())
+        .status()
+        .map_err(|error| format!("cargo did not start: {error}"))?;
+    if !status.success() {
+        return Err("the engine does not compile for the browser".to_owned());
+    }
+    // Without a default module path the page names the wasm file itself, and the bundler sees the name.
+    Bindgen::new()
+        .input_path(target_directory().join(TARGET).join("release/eigenform_wasm.wasm"))
+        .web(true)
+        .and_then(|bindgen| bindgen.typescript(true).omit_default_module_path(true).out_name("engine").generate(directory))
+        .map_err(|error| format!("wasm-bindgen: {error:#}"))
+}
+
+fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("xtask lives in the workspace").to_owned()
+}
+
+fn target_directory() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace().join("target"), PathBuf::from)
+}

@@ -1,0 +1,68 @@
+import { access, readFile, writeFile } from "node:fs/promises";
+import { join } from "node:path";
+import { root, run, step } from "./run.mjs";
+import { hashOf, once } from "./stamp.mjs";
+
+const PACKAGE = "web/src/engine/pkg";
+const ENGINE_SOURCES = [
+  "core-rs/Cargo.toml",
+  "core-rs/Cargo.lock",
+  "core-rs/.cargo/",
+  "core-rs/engine/",
+  "core-rs/wasm/",
+  "core-rs/xtask/",
+];
+const PAGE_SOURCES = ["package.json", "package-lock.json", "vite.config.ts", "tsconfig.json", "public/", "web/"];
+
+const isThere = (path) =>
+  access(join(root, path)).then(
+    () => true,
+    () => false,
+  );
+
+/** wasm-opt must allow what rustc emits. */
+async function optimize() {
+  const { default: binaryen } = await import("binaryen");
+  const file = join(root, PACKAGE, "engine_bg.wasm");
+  const module = binaryen.readBinary(new Uint8Array(await readFile(file)));
+  const { Features } = binaryen;
+  module.setFeatures(
+    Features.BulkMemory |
+      Features.NontrappingFPToInt |
+      Features.SignExt |
+      Features.MutableGlobals |
+      Features.Multivalue |
+      Features.ReferenceTypes |
+      Features.SIMD128,
+  );
+  binaryen.setOptimizeLevel(3);
+  binaryen.setShrinkLevel(0);
+  module.optimize();
+  await writeFile(file, module.emitBinary());
+  module.dispose();
+}
+
+/** The engine's wasm package for the page. */
+export async function buildEngine(toolchain) {
+  const hash = await hashOf([...ENGINE_SOURCES, "scripts/steps/build.mjs"], [toolchain], ["core-rs/engine/tests"]);
+  const results = () => isThere(join(PACKAGE, "engine_bg.wasm"));
+  const isNew = await once("engine", hash, results, async () => {
+    await step("Compiling the engine for the browser (minutes the first time)", () =>
+      run("cargo", ["xtask", "wasm", join(root, PACKAGE)], { cwd: join(root, "core-rs") }),
+    );
+    await step("Optimizing the engine", optimize);
+  });
+  if (!isNew) console.log("▸ The engine is up to date");
+}
+
+/** The page, in web/dist. */
+export async function buildPage() {
+  const hash = await hashOf(PAGE_SOURCES, [], ["web/dist"]);
+  const isNew = await once(
+    "page",
+    hash,
+    () => isThere("web/dist/index.html"),
+    () => step("Building the page", () => run("npx", ["vite", "build", "--logLevel", "warn"])),
+  );
+  if (!isNew) console.log("▸ The page is up to date");
+}

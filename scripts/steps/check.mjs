@@ -1,0 +1,35 @@
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { root, run, Stop, step } from "./run.mjs";
+import { WASM_TARGET } from "./tools.mjs";
+
+const cwd = join(root, "core-rs");
+const TYPES = "web/src/document/generated.ts";
+
+async function checkTypes() {
+  const fresh = join(root, ".cache/generated.ts");
+  await run("cargo", ["xtask", "types", fresh], { cwd });
+  const [now, then] = await Promise.all([readFile(fresh, "utf8"), readFile(join(root, TYPES), "utf8")]);
+  if (now !== then)
+    throw new Stop(`${TYPES} is not what the engine's types say: run "cargo xtask types ../${TYPES}" in core-rs.`);
+}
+
+/** Format, lint, types and unit tests; needs the engine's package. */
+export async function check() {
+  await step("Rust format", () => run("cargo", ["fmt", "--all", "--check"], { cwd }));
+  await step("Rust lint", () =>
+    run("cargo", ["clippy", "--quiet", "--workspace", "--all-targets", "--", "-D", "warnings"], { cwd }),
+  );
+  await step("Rust lint, browser door", () =>
+    run(
+      "cargo",
+      ["clippy", "--quiet", "--package", "eigenform-wasm", "--target", WASM_TARGET, "--", "-D", "warnings"],
+      { cwd },
+    ),
+  );
+  await step("Types across the seam", checkTypes);
+  await step("Page format and lint", () => run("npx", ["biome", "check", "--error-on-warnings", "."]));
+  await step("Page types", () => run("npx", ["tsc"]));
+  await step("Rust tests", () => run("cargo", ["test", "--quiet", "--workspace"], { cwd }));
+  await step("Page tests", () => run("npx", ["vitest", "run"]));
+}

@@ -1,0 +1,51 @@
+import type { Formation } from "../document/formation";
+import type { Scene } from "../document/scene";
+import type { Engine } from "./api";
+import { EngineError } from "./api";
+import type { Crew } from "./crew";
+import { sceneFrom } from "./ledger";
+import { WorkerGone, type WorkerLink } from "./link";
+import type { CallName, Calls } from "./protocol";
+
+/** A question that dies with its worker is asked once more of the next. */
+const TRIES = 2;
+
+async function ask<Name extends CallName>(
+  crew: Crew,
+  name: Name,
+  askOf: (link: WorkerLink) => Calls[Name]["ask"],
+): Promise<Calls[Name]["answer"]> {
+  for (let tries = 1; ; tries += 1) {
+    try {
+      const link = await crew.desk();
+      return await link.call(name, askOf(link)).answer;
+    } catch (error) {
+      if (!(error instanceof WorkerGone)) throw error;
+      if (tries >= TRIES) {
+        throw new EngineError({
+          code: "engine-stopped",
+          what: "The engine stopped while it worked on this.",
+          where: "",
+        });
+      }
+    }
+  }
+}
+
+export function createEngine(crew: Crew): Engine {
+  return {
+    health: crew.health,
+    async open(text) {
+      const opened = await ask(crew, "open", () => ({ text }));
+      return { scene: sceneFrom(opened.scene), source: opened.source, notes: opened.notes };
+    },
+    writeScene: (scene: Scene) => ask(crew, "writeScene", (link) => ({ scene: link.ledger.message(scene) })),
+    writeKeyframes: (scene: Scene) => ask(crew, "writeKeyframes", (link) => ({ scene: link.ledger.message(scene) })),
+    writeMotion: (scene: Scene, format) =>
+      ask(crew, "writeMotion", (link) => ({ scene: link.ledger.message(scene), format })),
+    link: (scene: Scene, precision) =>
+      ask(crew, "link", (link) => ({ scene: link.ledger.message(scene), isShort: precision === "short" })),
+    assign: (source: Formation, target: Formation) =>
+      ask(crew, "assign", () => ({ source: source.xy, target: target.xy })),
+  };
+}

@@ -1,0 +1,255 @@
+import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { mainTrack, type Scene } from "../document/scene";
+import { SegmentMotion } from "../playback/motion";
+import type { Planner, Planning, SegmentPlan, TieList } from "./api";
+import type { Crew } from "./crew";
+import { areSame, type Inputs, nearestFirst, segmentInputs, tieInputs } from "./inputs";
+import type { WorkerLink } from "./link";
+import type { PlanMessage, PlanRequest, SegmentData } from "./protocol";
+
+/** A worker that has not heard a cancel after this many milliseconds is in one long step: it is replaced. */
+const CANCEL_PATIENCE = 300;
+
+export interface PlannerInputs {
+  readonly scene: ReadonlySignal<Scene>;
+  readonly isDragging: ReadonlySignal<boolean>;
+  readonly time: ReadonlySignal<number>;
+  readonly crew: Crew;
+}
+
+/** What is known of a segment or keyframe, and of which inputs. */
+interface Known<Result> {
+  readonly inputs: Inputs;
+  readonly result: Result;
+  /** Planned while dragging, with auto's earlier choice: to be chosen again on release. */
+  readonly isProvisional?: boolean;
+}
+
+/** One request to the worker, until it is idle or replaced. */
+interface Errand {
+  readonly link: WorkerLink;
+  id: number;
+  readonly held: PlanRequest["held"];
+  readonly segments: ReadonlyMap<number, Inputs>;
+  readonly ties: ReadonlyMap<number, Inputs>;
+}
+
+const WAITING: Planning = { kind: "planning", progress: 0, stale: null };
+
+export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs): Planner {
+  const segments = signal<readonly Planning[]>([]);
+  const ties = signal<readonly (TieList | null)[]>([]);
+  const progress = signal<number | null>(null);
+  let knownSegments: readonly (Known<Planning> | undefined)[] = [];
+  let knownTies: readonly (Known<TieList> | undefined)[] = [];
+  let errand: Errand | null = null;
+  /** While dragging the errand under way ends before the newest scene is sent: else none would ever end. */
+  let isBehind = false;
+
+  function publish(): void {
+    segments.value = knownSegments.map((known) => known?.result ?? WAITING);
+    ties.value = knownTies.map((known) => known?.result ?? null);
+    const open = segments.peek().filter((state) => state.kind === "planning");
+    const share = open.reduce((sum, state) => sum + 1 - (state.kind === "planning" ? state.progress : 0), 0);
+    progress.value = open.length === 0 ? null : 1 - share / Math.max(1, segments.peek().length);
+  }
+
+  /** Keep what still holds; what changed is planned anew, its last motion shown meanwhile. */
+  function compare(to: Scene): void {
+    const { keyframes, segments: wanted } = mainTrack(to);
+    knownSegments = wanted.map((_, index) => {
+      const known = knownSegments[index];
+      const inputs = segmentInputs(to, index);
+      const isFinal = isDragging.peek() || !known?.isProvisional;
+      if (known && isFinal && areSame(known.inputs, inputs)) return known;
+      return { inputs, result: { kind: "planning", progress: 0, stale: usable(known?.result, to) } };
+    });
+    knownTies = keyframes.map((_, index) => {
+      const known = knownTies[index];
+      return known && areSame(known.inputs, tieInputs(to, index)) ? known : undefined;
+    });
+  }
+
+  function refresh(): void {
+    const link = crew.planner.peek();
+    const to = scene.peek();
+    compare(to);
+    if (!link) {
+      errand = null;
+      publish();
+      return;
+    }
+    if (errand && isDragging.peek()) {
+      isBehind = true;
+      publish();
+      return;
+    }
+    send(link, to);
+    publish();
+  }
+
+  function send(link: WorkerLink, to: Scene): void {
+    isBehind = false;
+    const open = nearestFirst(to, time.peek()).filter((index) => knownSegments[index]?.result.kind === "planning");
+    const unknownTies = knownTies.flatMap((known, index) => (known ? [] : [index]));
+    if (open.length === 0 && unknownTies.length === 0) {
+      errand = null;
+      return;
+    }
+    const held = isDragging.peek() ? heldChoices() : [];
+    const next: Errand = {
+      link,
+      id: 0,
+      held,
+      segments: new Map(open.map((index) => [index, segmentInputs(to, index)])),
+      ties: new Map(unknownTies.map((index) => [index, tieInputs(to, index)])),
+    };
+    const request: PlanRequest = {
+      scene: link.ledger.message(to),
+      order: open,
+      held,
+      ties: unknownTies,
+    };
+    const call = link.call("plan", request);
+    next.id = call.id;
+    errand = next;
+    call.answer.catch((error: unknown) => {
+      // A refused scene cannot come from the page's own commands; a dead worker is replaced and asked again.
+      if (errand === next) errand = null;
+      if (!link.isDead) fail(next, error);
+    });
+  }
+
+  function fail(of: Errand, error: unknown): void {
+    const what = error instanceof Error ? error.message : String(error);
+    for (const [index, inputs] of of.segments) {
+      settle(index, inputs, { kind: "failed", problem: { code: "refused", what, where: "" } });
+    }
+    publish();
+  }
+
+  /** While dragging, auto keeps what it chose; it chooses again on release. */
+  function heldChoices(): PlanRequest["held"] {
+    return knownSegments.map((known) => {
+      const plan = known && planOf(known.result);
+      return plan && plan.report.candidates.length > 0 ? plan.report.choice : null;
+    });
+  }
+
+  function settle(index: number, inputs: Inputs, result: Planning, isProvisional = false): void {
+    const known = knownSegments[index];
+    if (!known || !areSame(known.inputs, inputs)) return;
+    knownSegments = knownSegments.with(index, { inputs, result, isProvisional });
+  }
+
+  function hear(link: WorkerLink, message: PlanMessage): void {
+    if (!errand || errand.link !== link || errand.id !== message.plan) return;
+    if (message.kind === "idle") {
+      errand = null;
+      if (isBehind) refresh();
+    } else if (message.kind === "ties") {
+      const inputs = errand.ties.get(message.keyframe);
+      if (!inputs || !areSame(tieInputs(scene.peek(), message.keyframe), inputs)) return;
+      knownTies = knownTies.with(message.keyframe, {
+        inputs,
+        result: { pairs: message.pairs, factors: message.factors },
+      });
+    } else {
+      hearSegment(errand, message);
+    }
+    publish();
+  }
+
+  function hearSegment(of: Errand, message: Exclude<PlanMessage, { kind: "idle" | "ties" }>): void {
+    const inputs = of.segments.get(message.segment);
+    const known = knownSegments[message.segment];
+    if (!inputs || !known) return;
+    switch (message.kind) {
+      case "progress":
+        if (known.result.kind === "planning") {
+          settle(message.segment, inputs, { ...known.result, progress: message.progress });
+        }
+        break;
+      case "unplanned":
+        settle(message.segment, inputs, { kind: "failed", problem: message.problem });
+        break;
+      case "segment":
+        if (areSame(known.inputs, inputs)) {
+          const isHeld = Boolean(of.held[message.segment]);
+          settle(message.segment, inputs, { kind: "ready", plan: planFrom(message.data) }, isHeld);
+        } else if (known.result.kind === "planning") {
+          // Dragged on since: shown until the newest arrives.
+          const result: Planning = {
+            ...known.result,
+            stale: usable({ kind: "ready", plan: planFrom(message.data) }, scene.peek()),
+          };
+          knownSegments = knownSegments.with(message.segment, { inputs: known.inputs, result });
+        }
+        break;
+    }
+  }
+
+  effect(() => {
+    const link = crew.planner.value;
+    if (link) link.onPlan = (message) => hear(link, message);
+    scene.value;
+    isDragging.value;
+    untracked(refresh);
+  });
+
+  return {
+    segments,
+    ties,
+    progress,
+    cancel() {
+      errand = null;
+      isBehind = false;
+      knownSegments = knownSegments.map((known) =>
+        known?.result.kind === "planning" ? { inputs: known.inputs, result: { kind: "canceled" } } : known,
+      );
+      publish();
+      const link = crew.planner.peek();
+      if (!link) return;
+      const timer = setTimeout(() => crew.replacePlanner(), CANCEL_PATIENCE);
+      link.call("cancel", null).answer.then(
+        () => clearTimeout(timer),
+        () => clearTimeout(timer),
+      );
+    },
+    resume() {
+      knownSegments = knownSegments.map((known) =>
+        known && (known.result.kind === "canceled" || known.result.kind === "failed")
+          ? { inputs: known.inputs, result: WAITING }
+          : known,
+      );
+      refresh();
+    },
+  };
+}
+
+function planOf(result: Planning): SegmentPlan | null {
+  if (result.kind === "ready") return result.plan;
+  return result.kind === "planning" ? result.stale : null;
+}
+
+/** The last motion serves meanwhile only if it moves the same agents. */
+function usable(result: Planning | undefined, scene: Scene): SegmentPlan | null {
+  const plan = result ? planOf(result) : null;
+  return plan && plan.motion.agentCount === mainTrack(scene).agents.length ? plan : null;
+}
+
+function planFrom({ times, xy, curves, report }: SegmentData): SegmentPlan {
+  const sampleCount = times.length;
+  const curve = (row: number): Float32Array => curves.subarray(row * sampleCount, (row + 1) * sampleCount);
+  return {
+    motion: new SegmentMotion(times, xy, sampleCount === 0 ? 0 : xy.length / 2 / sampleCount),
+    report,
+    curves: {
+      clearance: curve(0),
+      distortion: curve(1),
+      turning: curve(2),
+      topSpeed: curve(3),
+      pathLength: curve(4),
+    },
+  };
+}

@@ -1,0 +1,93 @@
+import type { Choice } from "../document/scene";
+import type { EngineProblem, LinkReport, SegmentReport } from "./api";
+
+/**
+ * A scene as it crosses to a worker: formations once each, by number; all else as JSON text, only when it changed.
+ */
+export interface SceneMessage {
+  /** The scene without positions; null: as last sent to this worker. */
+  readonly rest: string | null;
+  /** Number of each keyframe's formation. */
+  readonly formations: readonly number[];
+  /** Formations this worker has not seen: number and x, y an agent. */
+  readonly added: readonly (readonly [id: number, xy: Float64Array])[];
+  /** Formations it may forget. */
+  readonly dropped: readonly number[];
+}
+
+export interface PlanRequest {
+  readonly scene: SceneMessage;
+  /** Segments in the order they are wanted. */
+  readonly order: readonly number[];
+  /** By segment: the choice to keep although the method is auto (while dragging). */
+  readonly held: readonly (Choice | null)[];
+  /** Keyframes whose ties are wanted. */
+  readonly ties: readonly number[];
+}
+
+/** Every question to a worker and its answer. */
+export interface Calls {
+  open: { ask: { readonly text: string }; answer: OpenedMessage };
+  writeScene: { ask: { readonly scene: SceneMessage }; answer: string };
+  writeKeyframes: { ask: { readonly scene: SceneMessage }; answer: { text: string; notes: string[] } };
+  writeMotion: { ask: { readonly scene: SceneMessage; readonly format: "csv" | "json" }; answer: string };
+  link: { ask: { readonly scene: SceneMessage; readonly isShort: boolean }; answer: LinkReport };
+  assign: { ask: { readonly source: Float64Array; readonly target: Float64Array }; answer: Uint32Array };
+  /** Answered when the request is taken over; results follow as plan messages. */
+  plan: { ask: PlanRequest; answer: null };
+  /** Answered between two steps of the work that stops. */
+  cancel: { ask: null; answer: null };
+}
+
+export interface OpenedMessage {
+  /** JSON of the scene in the page's shape, positions as x0, y0, x1, y1, … */
+  readonly scene: string;
+  readonly source: "scene" | "csv" | "link";
+  readonly notes: readonly string[];
+}
+
+export type CallName = keyof Calls;
+
+/** Page to worker. */
+export type Question =
+  | { readonly kind: "start"; readonly module: WebAssembly.Module; readonly lock: string }
+  | {
+      [Name in CallName]: {
+        readonly kind: "call";
+        readonly id: number;
+        readonly name: Name;
+        readonly ask: Calls[Name]["ask"];
+      };
+    }[CallName];
+
+/** Worker to page. */
+export type Answer =
+  | { readonly kind: "started" }
+  | { readonly kind: "answer"; readonly id: number; readonly value: Calls[CallName]["answer"] }
+  | { readonly kind: "refusal"; readonly id: number; readonly problem: EngineProblem }
+  /** The engine trapped; this worker is dead. */
+  | { readonly kind: "crashed"; readonly message: string }
+  | PlanMessage;
+
+/** What a plan request brings, one by one; `plan` is the id of the request. */
+export type PlanMessage =
+  | { readonly kind: "progress"; readonly plan: number; readonly segment: number; readonly progress: number }
+  | { readonly kind: "segment"; readonly plan: number; readonly segment: number; readonly data: SegmentData }
+  | { readonly kind: "unplanned"; readonly plan: number; readonly segment: number; readonly problem: EngineProblem }
+  | {
+      readonly kind: "ties";
+      readonly plan: number;
+      readonly keyframe: number;
+      readonly pairs: Uint32Array;
+      readonly factors: Float64Array;
+    }
+  | { readonly kind: "idle"; readonly plan: number };
+
+export interface SegmentData {
+  readonly times: Float64Array;
+  /** x, y of every agent, sample by sample. */
+  readonly xy: Float32Array;
+  /** Five curves of one value a sample, in the order of `SegmentCurves`. */
+  readonly curves: Float32Array;
+  readonly report: SegmentReport;
+}

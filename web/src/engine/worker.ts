@@ -1,0 +1,171 @@
+import type { EngineProblem, SegmentReport } from "./api";
+import init, { Engine } from "./pkg/engine.js";
+import type { Answer, CallName, Calls, OpenedMessage, PlanRequest, Question, SceneMessage } from "./protocol";
+
+/** One engine in a worker: takes questions between the steps of the work at hand. */
+
+let engine: Engine | null = null;
+/** The plan under way; a newer one replaces it between two steps. */
+let plan: { readonly id: number; readonly request: PlanRequest; next: number } | null = null;
+let isTurning = false;
+
+function post(answer: Answer, transfer: Transferable[] = []): void {
+  self.postMessage(answer, { transfer });
+}
+
+/** A refusal carries its JSON; anything else is a trap and ends this worker. */
+function problemOf(error: unknown): EngineProblem {
+  if (typeof error === "string") return JSON.parse(error) as EngineProblem;
+  throw error;
+}
+
+function take(message: SceneMessage, to: Engine): void {
+  for (const id of message.dropped) to.drop_formation(id);
+  for (const [id, xy] of message.added) to.put_formation(id, xy);
+  to.set_scene(message.rest ?? undefined, Uint32Array.from(message.formations));
+}
+
+type Handlers = { [Name in CallName]: (ask: Calls[Name]["ask"], to: Engine, id: number) => Calls[Name]["answer"] };
+
+const handlers: Handlers = {
+  open: ({ text }, to) => JSON.parse(to.open(text)) as OpenedMessage,
+  writeScene: ({ scene }, to) => {
+    take(scene, to);
+    return to.write_scene();
+  },
+  writeKeyframes: ({ scene }, to) => {
+    take(scene, to);
+    return JSON.parse(to.write_keyframes()) as { text: string; notes: string[] };
+  },
+  writeMotion: ({ scene, format }, to) => {
+    take(scene, to);
+    return to.write_motion(format);
+  },
+  link: ({ scene, isShort }, to) => {
+    take(scene, to);
+    return JSON.parse(to.link(isShort)) as Calls["link"]["answer"];
+  },
+  assign: ({ source, target }, to) => to.assign(source, target),
+  plan: (request, to, id) => {
+    plan = null;
+    take(request.scene, to);
+    plan = { id, request, next: 0 };
+    void turn();
+    return null;
+  },
+  cancel: (_, to) => {
+    plan = null;
+    to.stop();
+    return null;
+  },
+};
+
+/** Lets waiting messages in, without a timer's four milliseconds. */
+const gate = new MessageChannel();
+function pause(): Promise<void> {
+  return new Promise((resolve) => {
+    gate.port1.onmessage = () => resolve();
+    gate.port2.postMessage(null);
+  });
+}
+
+async function turn(): Promise<void> {
+  if (isTurning) return;
+  isTurning = true;
+  try {
+    while (plan && engine) {
+      advance(plan, engine);
+      await pause();
+    }
+  } catch (error) {
+    crash(error);
+  } finally {
+    isTurning = false;
+  }
+}
+
+/** One step of the plan: ties first, they are quick; then segments in the wanted order. */
+function advance(at: NonNullable<typeof plan>, to: Engine): void {
+  const { ties, order, held } = at.request;
+  const keyframe = ties[at.next];
+  if (keyframe !== undefined) {
+    at.next += 1;
+    sendTies(at.id, keyframe, to);
+    return;
+  }
+  const segment = order[at.next - ties.length];
+  if (segment === undefined) {
+    plan = null;
+    post({ kind: "idle", plan: at.id });
+    return;
+  }
+  try {
+    const choice = held[segment];
+    const progress = to.step(segment, choice ? JSON.stringify(choice) : undefined);
+    if (progress < 1) {
+      post({ kind: "progress", plan: at.id, segment, progress });
+      return;
+    }
+    at.next += 1;
+    sendSegment(at.id, segment, to);
+  } catch (error) {
+    post({ kind: "unplanned", plan: at.id, segment, problem: problemOf(error) });
+    at.next += 1;
+  }
+}
+
+function sendTies(id: number, keyframe: number, to: Engine): void {
+  try {
+    const pairs = to.tie_pairs(keyframe);
+    const factors = to.tie_factors(keyframe);
+    post({ kind: "ties", plan: id, keyframe, pairs, factors }, [pairs.buffer, factors.buffer]);
+  } catch (error) {
+    // The segments at this keyframe report the same refusal, with their place.
+    problemOf(error);
+  }
+}
+
+function sendSegment(id: number, segment: number, to: Engine): void {
+  const times = to.segment_times();
+  const xy = to.segment_positions();
+  const curves = to.segment_curves();
+  const report = JSON.parse(to.segment_report()) as SegmentReport;
+  const data = { times, xy, curves, report };
+  post({ kind: "segment", plan: id, segment, data }, [times.buffer, xy.buffer, curves.buffer]);
+}
+
+function crash(error: unknown): void {
+  engine = null;
+  plan = null;
+  post({ kind: "crashed", message: error instanceof Error ? error.message : String(error) });
+}
+
+function answer<Name extends CallName>(id: number, name: Name, ask: Calls[Name]["ask"]): void {
+  if (!engine) return;
+  try {
+    try {
+      const handler: Handlers[Name] = handlers[name];
+      post({ kind: "answer", id, value: handler(ask, engine, id) });
+    } catch (error) {
+      post({ kind: "refusal", id, problem: problemOf(error) });
+    }
+  } catch (error) {
+    crash(error);
+  }
+}
+
+self.onmessage = async ({ data }: MessageEvent<Question>) => {
+  if (data.kind === "call") {
+    answer(data.id, data.name, data.ask);
+    return;
+  }
+  try {
+    // Held until this worker dies, however it dies: the page waits for the same lock.
+    void navigator.locks?.request(data.lock, () => new Promise(() => {}));
+    await init({ module_or_path: data.module });
+    engine = new Engine();
+    post({ kind: "started" });
+  } catch (error) {
+    crash(error);
+  }
+};
