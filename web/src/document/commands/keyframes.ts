@@ -1,0 +1,92 @@
+import { DEFAULT_SEGMENT, keyframeAt } from "../defaults";
+import { chooseAgain, updateKeyframe, updateTrack } from "../edit";
+import type { Formation } from "../formation";
+import { clipText, LIMITS, withinLimits } from "../limits";
+import { type Keyframe, mainTrack, type Scene, type Track } from "../scene";
+import type { Command } from "../store";
+import { slotAfter } from "../timing";
+
+/** A keyframe with the formation seen at `time`; where that is follows from [`slotAfter`]. */
+export function addKeyframe(time: number, positions: Formation): Command {
+  return {
+    label: "Add keyframe",
+    apply: (scene) => {
+      const slot = slotAfter(scene, time);
+      return slot ? insert(scene, slot.index, keyframeAt(slot.time, positions)) : scene;
+    },
+  };
+}
+
+/** The same formation once more, after the keyframe. */
+export function duplicateKeyframe(index: number): Command {
+  return {
+    label: "Duplicate keyframe",
+    apply: (scene) => {
+      const keyframe = mainTrack(scene).keyframes[index];
+      const slot = keyframe && slotAfter(scene, keyframe.time + keyframe.hold);
+      if (!keyframe || !slot) return scene;
+      return insert(scene, slot.index, { ...keyframe, time: slot.time, hold: 0 });
+    },
+  };
+}
+
+/** A scene keeps at least one keyframe. The transition into the deleted one now leads to the next. */
+export function deleteKeyframe(index: number): Command {
+  return {
+    label: "Delete keyframe",
+    apply: (scene) =>
+      updateTrack(scene, (track) => {
+        if (!track.keyframes[index] || track.keyframes.length === 1) return track;
+        const keyframes = track.keyframes.toSpliced(index, 1);
+        const segments = track.segments.toSpliced(Math.min(index, track.segments.length - 1), 1);
+        return { ...track, keyframes, segments: chooseAgain(segments, [index - 1]) };
+      }),
+  };
+}
+
+export function renameKeyframe(index: number, name: string): Command {
+  return {
+    label: "Rename keyframe",
+    apply: (scene) =>
+      updateKeyframe(scene, index, (was) => {
+        const clipped = clipText(name.trim(), LIMITS.name);
+        return clipped === was.name ? was : { ...was, name: clipped };
+      }),
+  };
+}
+
+/**
+ * Bring a formation to another place in the order: those between move up, the times stay.
+ *
+ * Name, positions and own adjacency travel; time and hold belong to the place.
+ */
+export function reorderKeyframe(from: number, to: number): Command {
+  return {
+    label: "Reorder keyframes",
+    apply: (scene) =>
+      updateTrack(scene, (track) => {
+        const moved = track.keyframes[from];
+        if (!moved || !track.keyframes[to] || from === to) return track;
+        const order = track.keyframes.toSpliced(from, 1).toSpliced(to, 0, moved);
+        const keyframes = track.keyframes.map(({ time, hold }, i) => ({ ...(order[i] ?? moved), time, hold }));
+        const [low, high] = [Math.min(from, to), Math.max(from, to)];
+        const touched = Array.from({ length: high - low + 2 }, (_, i) => low - 1 + i);
+        return { ...track, keyframes, segments: chooseAgain(track.segments, touched) };
+      }),
+  };
+}
+
+function insert(scene: Scene, index: number, keyframe: Keyframe): Scene {
+  if (keyframe.positions.agentCount !== mainTrack(scene).agents.length) return scene;
+  const next = updateTrack(scene, (track: Track) => {
+    // A transition that is split keeps its options on both sides; a new one after the end follows the last.
+    const template = track.segments[index - 1] ?? track.segments.at(-1) ?? DEFAULT_SEGMENT;
+    const segments = track.segments.toSpliced(index - 1, 0, { ...template, chosen: null });
+    return {
+      ...track,
+      keyframes: track.keyframes.toSpliced(index, 0, keyframe),
+      segments: chooseAgain(segments, [index]),
+    };
+  });
+  return withinLimits(scene, next);
+}

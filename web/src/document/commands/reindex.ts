@@ -1,0 +1,27 @@
+import type { AdjacencySpec, Group } from "../scene";
+
+/** Groups of the agents that stay, under their new indices; a group that loses its last agent goes. */
+export function dropFromGroups(groups: readonly Group[], places: ReadonlyMap<number, number>): readonly Group[] {
+  return groups.flatMap((group) => {
+    const members = group.members.flatMap((member) => places.get(member) ?? []);
+    const children = dropFromGroups(group.children, places);
+    const isEmptied = members.length === 0 && children.length === 0;
+    const wasEmpty = group.members.length === 0 && group.children.length === 0;
+    return isEmptied && !wasEmpty ? [] : [{ ...group, members, children }];
+  });
+}
+
+/** Ties among the agents that stay, under their new indices. */
+export function dropFromAdjacency(adjacency: AdjacencySpec, places: ReadonlyMap<number, number>): AdjacencySpec {
+  return {
+    ...adjacency,
+    ties: adjacency.ties.flatMap(([a, b, factor]) => {
+      const [p, q] = [places.get(a), places.get(b)];
+      return p === undefined || q === undefined ? [] : [[p, q, factor] as const];
+    }),
+    cuts: adjacency.cuts.flatMap(([a, b]) => {
+      const [p, q] = [places.get(a), places.get(b)];
+      return p === undefined || q === undefined ? [] : [[p, q] as const];
+    }),
+  };
+}

@@ -1,0 +1,61 @@
+import { clipText, LIMITS, withinLimits } from "../limits";
+import type { Scene, Stage } from "../scene";
+import type { Command } from "../store";
+
+/** A whole other scene (New, Open, Example); the old one stays one undo away. */
+export function replaceScene(next: Scene, label: string): Command {
+  return { label, apply: () => next };
+}
+
+export function setTitle(title: string): Command {
+  return { label: "Rename scene", apply: (scene) => patch(scene, { title: clipText(title.trim(), LIMITS.title) }) };
+}
+
+/** Sizes in meters; those that are not above zero are left as they were. */
+export function setStage(change: Partial<Stage>): Command {
+  return {
+    label: "Change stage",
+    apply: (scene) => {
+      const stage = { ...scene.stage, ...change };
+      const isSound = [stage.width, stage.depth].every((size) => size > 0 && size <= LIMITS.coordinate);
+      const isSame = Object.entries(change).every(([key, value]) => scene.stage[key as keyof Stage] === value);
+      return isSound && !isSame ? { ...scene, stage } : scene;
+    },
+  };
+}
+
+/** @param meters 0 for no limit */
+export function setMinimumDistance(meters: number): Command {
+  return {
+    label: "Change minimum distance",
+    apply: (scene) => (meters >= 0 && Number.isFinite(meters) ? patch(scene, { minimumDistance: meters }) : scene),
+  };
+}
+
+/** @param frameRate frames per second, 1–120 */
+export function setFrameRate(frameRate: number): Command {
+  return {
+    label: "Change frame rate",
+    apply: (scene) => {
+      const { min, max } = LIMITS.frameRate;
+      return frameRate >= min && frameRate <= max ? withinLimits(scene, patch(scene, { frameRate })) : scene;
+    },
+  };
+}
+
+export function setTempo(change: Partial<Scene["tempo"]>): Command {
+  return {
+    label: "Change tempo",
+    apply: (scene) => {
+      const tempo = { ...scene.tempo, ...change };
+      const isSound = tempo.beatsPerMinute > 0 && tempo.beatsPerBar >= 1 && Number.isInteger(tempo.beatsPerBar);
+      const isSame = Object.entries(change).every(([key, value]) => scene.tempo[key as keyof typeof tempo] === value);
+      return isSound && !isSame && Number.isFinite(tempo.start) ? { ...scene, tempo } : scene;
+    },
+  };
+}
+
+function patch(scene: Scene, change: Partial<Scene>): Scene {
+  const isSame = Object.entries(change).every(([key, value]) => scene[key as keyof Scene] === value);
+  return isSame ? scene : { ...scene, ...change };
+}
