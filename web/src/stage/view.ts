@@ -1,4 +1,4 @@
-import type { Signal } from "@preact/signals";
+import type { ReadonlySignal, Signal } from "@preact/signals";
 
 /** Which layers show. */
 export interface Layers {
@@ -26,8 +26,11 @@ export interface View {
   readonly size: Signal<{ readonly width: number; readonly height: number }>;
   readonly hovered: Signal<number | null>;
   readonly theme: Signal<"light" | "dark" | "system">;
-  /** 1 = the whole stage fits. */
+  /** How close: 1 when the whole stage just fits, 2 at twice that. */
+  readonly zoom: ReadonlySignal<number>;
+  /** Zooms by a factor, about the middle unless told where (CSS pixels of the stage element). */
   zoomBy(factor: number, at?: { readonly x: number; readonly y: number }): void;
   panBy(dx: number, dy: number): void;
+  /** Shows the whole show: the stage, or closer where the agents use little of it. */
   fit(): void;
 }

@@ -1,0 +1,114 @@
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import type { Scene } from "../document/scene";
+import {
+  type Bounds,
+  fitting,
+  keptInSight,
+  type Padding,
+  pannedBy,
+  recentered,
+  SCALE_LIMITS,
+  type Size,
+  union,
+  zoomedAt,
+} from "./camera";
+import { contentOf, sheetOf } from "./sheet";
+import { clamp } from "./spacing";
+import type { Camera, Layers, View } from "./view";
+
+const ALL_BUT_NAMES: Layers = { ties: true, trails: true, ghosts: true, groups: true, names: false };
+
+/** The tool rail, the view and zoom pills and the context bar stay clear of what was fitted. */
+const ROOM_FOR_PANELS: Padding = { left: 72, right: 24, top: 60, bottom: 72 };
+/** A narrow stage has its tools below. */
+const ROOM_ON_A_PHONE: Padding = { left: 16, right: 16, top: 20, bottom: 80 };
+const NARROW = 640;
+
+/** The whole stage is shown unless the show fills so little of it that going closer pays. */
+const WORTH_GOING_CLOSER = 1.25;
+
+/** A disc that sticks out at the edge does not unsettle the view of the stage. */
+const NEARLY_WHOLE = 0.97;
+
+/** A lone agent does not fill the screen. */
+const CLOSEST_FIT = 6;
+
+/** Pixels of the stage that stay in sight however far it is panned. */
+const IN_SIGHT = 48;
+
+/** 3 % to 6,400 % of the whole stage. */
+const ZOOM_RANGE = { min: 0.03, max: 64 } as const;
+
+/** Looks at the stage of `scene`: it starts fitted and stays so through resizing until the person moves it. */
+export function createView(scene: ReadonlySignal<Scene>): View {
+  const sheet = computed(() => sheetOf(scene.value.stage));
+  const size = signal<Size>({ width: 0, height: 0 });
+  const camera = signal<Camera>(fitting(sheet.peek(), { width: 800, height: 600 }, ROOM_FOR_PANELS));
+  const whole = computed(() => fitting(sheet.value, size.value, paddingFor(size.value)));
+  let isFitted = true;
+  let lastSize = size.peek();
+
+  function place(next: Camera): void {
+    const shown: Bounds = union(sheet.peek(), contentOf(scene.peek()) ?? sheet.peek());
+    camera.value = keptInSight(next, shown, size.peek(), IN_SIGHT);
+  }
+
+  function fitShow(): void {
+    isFitted = true;
+    camera.value = fittedTo(scene.peek(), whole.peek(), size.peek());
+  }
+
+  effect(() => {
+    const next = size.value;
+    if (next.width === 0 || next.height === 0) return;
+    if (isFitted) fitShow();
+    else camera.value = recentered(camera.peek(), lastSize, next);
+    lastSize = next;
+  });
+
+  return {
+    camera,
+    layers: signal(ALL_BUT_NAMES),
+    size,
+    hovered: signal<number | null>(null),
+    theme: signal<"light" | "dark" | "system">("system"),
+    zoom: computed(() => camera.value.scale / whole.value.scale),
+    zoomBy(factor, at) {
+      isFitted = false;
+      const middle = at ?? { x: size.peek().width / 2, y: size.peek().height / 2 };
+      const unit = whole.peek().scale;
+      const scale = clamp(
+        camera.peek().scale * factor,
+        Math.max(SCALE_LIMITS.min, unit * ZOOM_RANGE.min),
+        Math.min(SCALE_LIMITS.max, unit * ZOOM_RANGE.max),
+      );
+      place(zoomedAt(camera.peek(), scale / camera.peek().scale, middle));
+    },
+    panBy(dx, dy) {
+      isFitted = false;
+      place(pannedBy(camera.peek(), dx, dy));
+    },
+    fit: fitShow,
+  };
+}
+
+function fittedTo(scene: Scene, whole: Camera, size: Size): Camera {
+  const content = contentOf(scene);
+  if (!content) return whole;
+  const padding = paddingFor(size);
+  const close = fitting(content, size, padding);
+  const closest = whole.scale * CLOSEST_FIT;
+  if (close.scale > closest) {
+    const middle = {
+      x: (padding.left + size.width - padding.right) / 2,
+      y: (padding.top + size.height - padding.bottom) / 2,
+    };
+    return zoomedAt(close, closest / close.scale, middle);
+  }
+  const isOutside = fitting(union(sheetOf(scene.stage), content), size, padding).scale < whole.scale * NEARLY_WHOLE;
+  return close.scale > whole.scale * WORTH_GOING_CLOSER || isOutside ? close : whole;
+}
+
+function paddingFor(size: Size): Padding {
+  return size.width <= NARROW ? ROOM_ON_A_PHONE : ROOM_FOR_PANELS;
+}
