@@ -1,9 +1,17 @@
 //! Which agents keep their relative position to which.
 //!
-//! An [`Adjacency`] is topology and weight only: it knows agent indices, never coordinates.
+//! An [`Adjacency`] is topology and weight only: it knows agent indices, never coordinates. [`propose`] suggests ties from
+//! positions, and [`build`] applies to them what the person says.
 
+mod build;
+mod coincidence;
+mod components;
+mod delaunay;
+mod laplacian;
 mod spec;
 
+pub use build::{COMPLETE_GROUP_LIMIT, GroupTie, TIE_LIMIT, TooManyTies, build, expanded_tie_count};
+pub use delaunay::{COINCIDENCE_TOLERANCE, propose};
 pub use spec::{AdjacencySpec, Base, Weights};
 
 /// One tie of the graph.

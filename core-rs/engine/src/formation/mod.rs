@@ -2,6 +2,10 @@
 //!
 //! Geometry only: it knows positions by agent index, never ties, names or times.
 
+mod axes;
+
+pub use axes::{PrincipalAxes, principal_axes};
+
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -31,10 +35,15 @@ impl Formation {
         if self.0.is_empty() { DVec2::ZERO } else { self.0.iter().sum::<DVec2>() / self.0.len() as f64 }
     }
 
+    /// Opposite corners of the bounding box, lower left and upper right; both the origin for no agents.
+    pub fn bounds(&self) -> (DVec2, DVec2) {
+        let first = self.0.first().copied().unwrap_or_default();
+        self.0.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)))
+    }
+
     /// The diagonal of the bounding box, meters: the scale of every relative tolerance.
     pub fn extent(&self) -> f64 {
-        let Some(&first) = self.0.first() else { return 0.0 };
-        let (low, high) = self.0.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
+        let (low, high) = self.bounds();
         low.distance(high)
     }
 }

@@ -4,6 +4,10 @@
 //! sizes are checked before anything is allocated, and a scene that exists is valid.
 //! Parts that the engine caches by identity are shared (`Arc`): an unchanged part is the same allocation.
 
+mod groups;
+
+pub use groups::group_ties;
+
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};

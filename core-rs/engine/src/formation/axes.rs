@@ -1,0 +1,34 @@
+//! The principal axes of a set of points.
+
+use glam::DVec2;
+
+/// How a set of points spreads about its mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PrincipalAxes {
+    /// Direction of the greatest spread, radians in (−π/2, π/2], counterclockwise from x; 0 when there is none.
+    pub angle: f64,
+    /// Variance along it, m².
+    pub major: f64,
+    /// Variance across it, m²; 0 ≤ minor ≤ major.
+    pub minor: f64,
+}
+
+/// Principal axes of `points` (covariance over n): the angle is ½ atan2(2 Cxy, Cxx − Cyy).
+pub fn principal_axes(points: &[DVec2]) -> PrincipalAxes {
+    if points.is_empty() {
+        return PrincipalAxes { angle: 0.0, major: 0.0, minor: 0.0 };
+    }
+    let count = points.len() as f64;
+    let mean = points.iter().sum::<DVec2>() / count;
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for &point in points {
+        let d = point - mean;
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        yy += d.y * d.y;
+    }
+    let (xx, xy, yy) = (xx / count, xy / count, yy / count);
+    let (middle, half_gap) = (f64::midpoint(xx, yy), ((xx - yy) / 2.0).hypot(xy));
+    // The difference of two near equals can come out a hair below zero.
+    PrincipalAxes { angle: 0.5 * (2.0 * xy).atan2(xx - yy), major: middle + half_gap, minor: (middle - half_gap).max(0.0) }
+}

@@ -1,0 +1,43 @@
+//! The tree of groups, read by what it ties.
+
+use super::Group;
+use crate::adjacency::GroupTie;
+
+/// What the groups tie, outer before inner and in the order of the document; groups without a tie weight tie nothing.
+pub fn group_ties(groups: &[Group]) -> Vec<GroupTie> {
+    let mut ties = Vec::new();
+    for group in groups {
+        if let Some(factor) = group.tie_weight {
+            ties.push(GroupTie { members: group.set(), factor });
+        }
+        ties.extend(group_ties(&group.children));
+    }
+    ties
+}
+
+impl Group {
+    /// Its members and its children's sets: ascending, each agent once.
+    pub fn set(&self) -> Vec<u32> {
+        let mut set = self.members.clone();
+        for child in &self.children {
+            set.extend(child.set());
+        }
+        set.sort_unstable();
+        set.dedup();
+        set
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_group_ties_its_childrens_agents_too_and_comes_before_them() {
+        let brass = Group { members: vec![4, 3], tie_weight: Some(2.0), ..Group::default() };
+        let drums = Group { members: vec![7], ..Group::default() };
+        let band = Group { members: vec![9, 1], tie_weight: Some(10.0), children: vec![brass, drums], ..Group::default() };
+        let expected = [GroupTie { members: vec![1, 3, 4, 7, 9], factor: 10.0 }, GroupTie { members: vec![3, 4], factor: 2.0 }];
+        assert_eq!(group_ties(&[band]), expected);
+    }
+}
