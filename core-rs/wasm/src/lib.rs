@@ -1,1 +1,146 @@
-//! The browser door.
+//! The engine as the page calls it. Every function decodes, calls and encodes; nothing is decided here.
+//!
+//! A refusal is thrown as the JSON text `{code, what, where}`; anything else that is thrown is a trap, and the instance is dead.
+
+mod desk;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use eigenform::choice::Choice;
+use eigenform::formation::Formation;
+use eigenform::perform::{Performed, Performer, SegmentJob, Step};
+use eigenform::scene::Scene;
+use glam::DVec2;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use desk::{Refusal, decode, encode};
+
+/// One engine: a scene at hand, formations by the page's numbers, caches, and at most one job.
+#[wasm_bindgen]
+#[derive(Default)]
+pub struct Engine {
+    formations: BTreeMap<u32, Arc<Formation>>,
+    scene: Option<Scene>,
+    rest: String,
+    performer: Performer,
+    job: Option<(usize, SegmentJob)>,
+    done: Option<Arc<Performed>>,
+}
+
+#[wasm_bindgen]
+impl Engine {
+    /// An engine without a scene. Keeps the message of a panic for the page.
+    #[wasm_bindgen(constructor)]
+    pub fn new() -> Self {
+        desk::keep_panic_messages();
+        Self::default()
+    }
+
+    /// Any text a person brings: scene JSON, keyframe CSV or link. Answers JSON `{scene, source, notes}`.
+    pub fn open(&self, text: &str) -> Result<String, Refusal> {
+        desk::open(text)
+    }
+
+    /// Formation number `id`: x, y an agent, meters.
+    pub fn put_formation(&mut self, id: u32, xy: &[f64]) {
+        self.formations.insert(id, Arc::new(desk::formation(xy)));
+    }
+
+    /// Forgets a formation.
+    pub fn drop_formation(&mut self, id: u32) {
+        self.formations.remove(&id);
+    }
+
+    /// The scene at hand: its text without positions (absent: the text before), and its keyframes' formations.
+    pub fn set_scene(&mut self, rest: Option<String>, formations: &[u32]) -> Result<(), Refusal> {
+        if let Some(rest) = rest {
+            self.rest = rest;
+        }
+        let formations = formations.iter().map(|id| self.formations.get(id).cloned().unwrap_or_default()).collect();
+        self.scene = Some(self.performer.adopt(desk::scene(&self.rest, formations)?));
+        self.stop();
+        Ok(())
+    }
+
+    /// Works on a segment for a while; answers how far it is, 1 when it is done and can be read.
+    pub fn step(&mut self, segment: usize, held: Option<String>) -> Result<f64, Refusal> {
+        let scene = self.scene.as_ref().expect("a scene is set before a segment is planned");
+        let mut job = match self.job.take() {
+            Some((index, job)) if index == segment => job,
+            _ => self.performer.begin(scene, segment, held.map(|text| decode::<Choice>(&text))),
+        };
+        match job.step(&mut self.performer)? {
+            Step::Progress(progress) => {
+                self.job = Some((segment, job));
+                Ok(progress.min(0.999))
+            }
+            Step::Done(performed) => {
+                self.done = Some(performed);
+                Ok(1.0)
+            }
+        }
+    }
+
+    /// Drops the job under way.
+    pub fn stop(&mut self) {
+        self.job = None;
+    }
+
+    /// Sample times of the segment just done, scene seconds.
+    pub fn segment_times(&self) -> Vec<f64> {
+        self.done().motion.times().to_vec()
+    }
+
+    /// Positions of the segment just done: x, y an agent, sample by sample.
+    pub fn segment_positions(&self) -> Vec<f32> {
+        self.done().motion.positions().iter().flat_map(|p| [p.x as f32, p.y as f32]).collect()
+    }
+
+    /// Curves of the segment just done, one value a sample: clearance, distortion, turning, top speed, path length.
+    pub fn segment_curves(&self) -> Vec<f32> {
+        desk::curves(self.done())
+    }
+
+    /// Measures of the segment just done, JSON.
+    pub fn segment_report(&self) -> String {
+        encode(&self.done().report())
+    }
+
+    /// Ties of a keyframe: a, b a tie, a < b, ascending.
+    pub fn tie_pairs(&mut self, keyframe: usize) -> Result<Vec<u32>, Refusal> {
+        let graph = self.performer.graph(self.scene(), keyframe)?;
+        Ok(graph.ties().iter().flat_map(|tie| [tie.a, tie.b]).collect())
+    }
+
+    /// Their factors.
+    pub fn tie_factors(&mut self, keyframe: usize) -> Result<Vec<f64>, Refusal> {
+        let graph = self.performer.graph(self.scene(), keyframe)?;
+        Ok(graph.ties().iter().map(|tie| tie.factor).collect())
+    }
+
+    /// The scene at hand as a file.
+    pub fn write_scene(&self) -> String {
+        eigenform::scene::write_json(self.at_hand())
+    }
+
+    /// The scene at hand as keyframe CSV: JSON `{text, notes}`.
+    pub fn write_keyframes(&self) -> String {
+        desk::keyframes(self.at_hand())
+    }
+
+    /// The whole motion as `csv` or `json`.
+    pub fn write_motion(&mut self, format: &str) -> Result<String, Refusal> {
+        desk::motion(&mut self.performer, self.scene.as_ref().expect("a scene is set"), format)
+    }
+
+    /// The scene at hand as a link: JSON `{fragment, rounding, brokenKeyframes}`.
+    pub fn link(&self, is_short: bool) -> String {
+        desk::link(self.at_hand(), is_short)
+    }
+
+    /// The slot of each agent, least total squared distance; x, y an agent.
+    pub fn assign(&self, source: &[f64], target: &[f64]) -> Vec<u32> {
+        desk::assign(&desk::formation(source), &desk::formation(target))
+    }
+}

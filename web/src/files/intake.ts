@@ -1,0 +1,84 @@
+import type { Scene } from "../document/scene";
+import type { Command, DocumentStore } from "../document/store";
+import { type Engine, EngineError, type EngineProblem, type Opened } from "../engine/api";
+import type { Messages } from "../panels/messages";
+
+/** Larger files are refused before they are read; the engine has the same limit. */
+const FILE_LIMIT = 64 * 1024 * 1024;
+
+/** Everything that comes from outside: files, drops, links, examples. A refusal leaves the scene as it was. */
+export interface Intake {
+  /** Opens text as a new scene; answers whether it did. */
+  openText(text: string, name: string): Promise<boolean>;
+  openFile(file: File): Promise<boolean>;
+  /** Reads text through the engine without opening it; null after saying why not. */
+  read(text: string, name: string): Promise<Opened | null>;
+}
+
+export interface IntakeParts {
+  readonly engine: Engine;
+  readonly document: DocumentStore;
+  readonly messages: Messages;
+  /** The scene was replaced: show all of it from its start. */
+  onOpened(): void;
+}
+
+export function replaceScene(scene: Scene, label: string): Command {
+  return { label, apply: () => scene };
+}
+
+/** The problem as a person reads it: what, and where. */
+export function sentence({ what, where }: EngineProblem): string {
+  return where ? `${what} (${where})` : what;
+}
+
+export function problemFrom(error: unknown): EngineProblem {
+  if (error instanceof EngineError) return error.problem;
+  return { code: "unexpected", what: error instanceof Error ? error.message : String(error), where: "" };
+}
+
+export function createIntake({ engine, document, messages, onOpened }: IntakeParts): Intake {
+  function refuse(name: string, problem: EngineProblem): void {
+    messages.say({
+      tone: "problem",
+      title: `${name} was not opened.`,
+      text: `${sentence(problem)} Your scene is unchanged.`,
+    });
+  }
+
+  async function read(text: string, name: string): Promise<Opened | null> {
+    try {
+      return await engine.open(text);
+    } catch (error) {
+      refuse(name, problemFrom(error));
+      return null;
+    }
+  }
+
+  async function openText(text: string, name: string): Promise<boolean> {
+    const opened = await read(text, name);
+    if (!opened) return false;
+    document.perform(replaceScene(opened.scene, `Open ${name}`));
+    onOpened();
+    const notes = opened.notes.join(" ");
+    messages.say({ tone: "good", title: `${name} is open.`, text: notes || "The scene before it is one undo away." });
+    return true;
+  }
+
+  return {
+    read,
+    openText,
+    async openFile(file) {
+      if (file.size > FILE_LIMIT) {
+        refuse(file.name, { code: "file-too-large", what: "A file may have at most 64 MiB.", where: "" });
+        return false;
+      }
+      try {
+        return await openText(await file.text(), file.name);
+      } catch (error) {
+        refuse(file.name, problemFrom(error));
+        return false;
+      }
+    },
+  };
+}
