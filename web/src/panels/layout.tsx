@@ -1,0 +1,59 @@
+import "./layout.css";
+import type { ReadonlySignal } from "@preact/signals";
+import type { ComponentType } from "preact";
+import { Inspector } from "./inspector/inspector";
+import { Rail } from "./rail";
+import { useStudio } from "./studio";
+import { TopBar } from "./top-bar";
+
+/** What the page is put together from, beside the panels of this folder. */
+export interface Parts {
+  /** What the stage draws in; it fills the region "Stage", below the rail and the pills. */
+  readonly stageHost: HTMLElement;
+  /** Where the scene is kept, in words: `Saved on this device`. */
+  readonly savedText: ReadonlySignal<string>;
+  /** The region "Timeline", itself included. */
+  readonly Timeline: ComponentType;
+  /** Everything that opens over the page. */
+  readonly Dialogs: ComponentType;
+}
+
+/** The regions of the page and nothing else. */
+export function Layout({ parts }: { parts: Parts }) {
+  const { Timeline, Dialogs } = parts;
+  return (
+    <div class="app">
+      <TopBar savedText={parts.savedText} />
+      <section class="stage" aria-label="Stage">
+        <StageHost element={parts.stageHost} />
+        <Rail />
+      </section>
+      <Inspector />
+      <div class="time">
+        <Timeline />
+      </div>
+      <Dialogs />
+      <Announcer />
+    </div>
+  );
+}
+
+function StageHost({ element }: { element: HTMLElement }) {
+  return (
+    <div
+      class="stage-host"
+      ref={(place) => {
+        if (place && element.parentElement !== place) place.append(element);
+      }}
+    />
+  );
+}
+
+function Announcer() {
+  const { messages } = useStudio();
+  return (
+    <div class="unseen" role="status" aria-live="polite">
+      {messages.announcement.value}
+    </div>
+  );
+}

@@ -1,0 +1,30 @@
+import { useStudio } from "./studio";
+
+/** The scene's title, edited in place. */
+export function TitleField() {
+  const { document } = useStudio();
+  const title = document.scene.value.title;
+  return (
+    <input
+      class="title"
+      aria-label="Title"
+      placeholder="Untitled"
+      maxLength={200}
+      spellcheck={false}
+      autocomplete="off"
+      value={title}
+      size={Math.max(8, title.length)}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") event.currentTarget.blur();
+        if (event.key === "Escape") {
+          event.currentTarget.value = title;
+          event.currentTarget.blur();
+        }
+      }}
+      onChange={(event) => {
+        const typed = event.currentTarget.value.trim();
+        document.perform({ label: "Rename scene", apply: (scene) => ({ ...scene, title: typed }) });
+      }}
+    />
+  );
+}

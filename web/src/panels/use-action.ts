@@ -1,0 +1,22 @@
+import type { Action } from "./actions";
+import { useStudio } from "./studio";
+
+/** An action and whether it can run now. */
+export function useAction(id: string): { readonly action: Action; readonly isEnabled: boolean } {
+  const action = useStudio().actions.get(id);
+  return { action, isEnabled: action.isEnabled?.value ?? true };
+}
+
+const isMac = typeof navigator !== "undefined" && /Mac|iPhone|iPad/.test(navigator.userAgent);
+
+/** A shortcut as the person's keyboard spells it: `Ctrl+Z`, or `⌘Z` on a Mac. */
+export function keyName(keys: string): string {
+  if (!isMac) return keys;
+  return keys.replace("Ctrl+", "⌘").replace("Shift+", "⇧").replace("Alt+", "⌥");
+}
+
+/** A shortcut as `aria-keyshortcuts` wants it. */
+export function keyShortcuts(keys: readonly string[]): string | undefined {
+  if (keys.length === 0) return undefined;
+  return keys.map((key) => key.replace("Ctrl", isMac ? "Meta" : "Control")).join(" ");
+}
