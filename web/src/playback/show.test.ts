@@ -1,0 +1,95 @@
+import { describe, expect, it } from "vitest";
+import { Formation, type Point } from "../document/formation";
+import type { Keyframe, Segment, Timing, Track } from "../document/scene";
+import { SegmentMotion } from "./motion";
+import { eased, Show, showDuration } from "./show";
+
+function keyframe(time: number, hold: number, points: readonly Point[]): Keyframe {
+  return { name: "", time, hold, positions: Formation.from(points), adjacency: null };
+}
+
+function segment(timing: Timing): Segment {
+  return {
+    kind: "transition",
+    method: "auto",
+    chosen: null,
+    order: "greedy",
+    alignment: "pca",
+    sharing: 0.5,
+    keepSize: false,
+    timing,
+  };
+}
+
+const track: Track = {
+  agents: [],
+  keyframes: [
+    keyframe(1, 2, [
+      [0, 0],
+      [1, 0],
+    ]),
+    keyframe(7, 0, [
+      [4, 0],
+      [1, 8],
+    ]),
+    keyframe(9, 1, [
+      [4, 4],
+      [1, 0],
+    ]),
+  ],
+  segments: [segment("linear"), segment("smooth")],
+};
+
+function at(show: Show, time: number): number[] {
+  const out = new Float32Array(4);
+  show.positionsInto(time, out);
+  return [...out];
+}
+
+describe("show", () => {
+  const show = new Show(track, []);
+
+  it("lasts until the last formation has stood", () => {
+    expect(showDuration(track)).toBe(10);
+    expect(show.duration).toBe(10);
+  });
+
+  it("agents stand in the first formation before it, through a hold, and in the last one after", () => {
+    for (const time of [0, 1, 2.5, 3]) expect(at(show, time)).toEqual([0, 0, 1, 0]);
+    for (const time of [9, 9.5, 10, 99]) expect(at(show, time)).toEqual([4, 4, 1, 0]);
+  });
+
+  it("without a motion they walk straight, with the segment's timing", () => {
+    expect(at(show, 5)).toEqual([2, 0, 1, 4]);
+    expect(at(show, 7.5)).toEqual([4, 4 * eased("smooth", 0.25), 1, 8 - 8 * eased("smooth", 0.25)]);
+  });
+
+  it("a planned motion is played", () => {
+    const motion = new SegmentMotion(Float64Array.of(3, 5, 7), Float32Array.of(0, 0, 1, 0, 9, 9, 9, 9, 4, 0, 1, 8), 2);
+    const planned = new Show(track, [motion, null]);
+    expect(at(planned, 5)).toEqual([9, 9, 9, 9]);
+    expect(at(planned, 4)).toEqual([4.5, 4.5, 5, 4.5]);
+    expect(planned.motionOf(0)).toBe(motion);
+  });
+
+  it("a motion of a scene that has changed since is not played", () => {
+    const retimed = new SegmentMotion(Float64Array.of(3, 6), new Float32Array(8), 2);
+    const others = new SegmentMotion(Float64Array.of(3, 7), new Float32Array(12), 3);
+    for (const stale of [retimed, others]) expect(new Show(track, [stale]).motionOf(0)).toBeNull();
+  });
+
+  it("knows what stands and what moves", () => {
+    expect(show.momentAt(0)).toEqual({ kind: "standing", index: 0 });
+    expect(show.momentAt(3)).toEqual({ kind: "standing", index: 0 });
+    expect(show.momentAt(3.01)).toEqual({ kind: "moving", index: 0 });
+    expect(show.momentAt(7)).toEqual({ kind: "standing", index: 1 });
+    expect(show.momentAt(8)).toEqual({ kind: "moving", index: 1 });
+    expect(show.momentAt(11)).toEqual({ kind: "standing", index: 2 });
+  });
+
+  it("one keyframe stands for ever", () => {
+    const single = new Show({ ...track, keyframes: track.keyframes.slice(0, 1), segments: [] }, []);
+    expect(at(single, 50)).toEqual([0, 0, 1, 0]);
+    expect(single.duration).toBe(3);
+  });
+});

@@ -1,0 +1,117 @@
+import type { Keyframe, Timing, Track } from "../document/scene";
+import type { SegmentMotion } from "./motion";
+
+/** Round-off allowed between a keyframe's time and its motion's end, seconds. */
+const TIME_TOLERANCE = 1e-6;
+
+/** What is on at some time: a formation that stands, or a segment under way. */
+export interface Moment {
+  readonly kind: "standing" | "moving";
+  /** Of the keyframe or of the segment. */
+  readonly index: number;
+}
+
+/**
+ * The show as it is drawn: formations that stand and segments between them.
+ *
+ * A segment without a motion of the scene as it is moves straight from formation to formation, with its own timing.
+ */
+export class Show {
+  readonly agentCount: number;
+  /** Scene seconds, the last hold included. */
+  readonly duration: number;
+  private readonly motions: readonly (SegmentMotion | null)[];
+
+  constructor(
+    private readonly track: Track,
+    motions: readonly (SegmentMotion | null)[],
+  ) {
+    this.agentCount = track.keyframes[0]?.positions.agentCount ?? 0;
+    this.duration = showDuration(track);
+    this.motions = track.segments.map((_, segment) => this.fitting(segment, motions[segment] ?? null));
+  }
+
+  /** The last keyframe at or before `time`, or the first. */
+  keyframeBefore(time: number): number {
+    const { keyframes } = this.track;
+    let low = 0;
+    let high = keyframes.length - 1;
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if ((keyframes[middle]?.time ?? 0) <= time) low = middle;
+      else high = middle - 1;
+    }
+    return low;
+  }
+
+  momentAt(time: number): Moment {
+    const index = this.keyframeBefore(time);
+    return { kind: this.isMoving(index, time) ? "moving" : "standing", index };
+  }
+
+  /** The motion that `segment` is drawn from; null while it is blended. */
+  motionOf(segment: number): SegmentMotion | null {
+    return this.motions[segment] ?? null;
+  }
+
+  /** When `segment` starts and ends, scene seconds. */
+  startOf(segment: number): number {
+    return departure(this.track.keyframes[segment]);
+  }
+
+  endOf(segment: number): number {
+    return this.track.keyframes[segment + 1]?.time ?? this.duration;
+  }
+
+  /** Where everybody is at `time`, x, y an agent in meters, into `out`; allocates nothing. */
+  positionsInto(time: number, out: Float32Array): void {
+    const index = this.keyframeBefore(time);
+    if (!this.isMoving(index, time)) {
+      const stand = this.track.keyframes[index]?.positions.xy;
+      if (stand) out.set(stand);
+      return;
+    }
+    const motion = this.motions[index];
+    if (motion) motion.positionsInto(time, out);
+    else this.blendInto(index, time, out);
+  }
+
+  private isMoving(index: number, time: number): boolean {
+    const keyframe = this.track.keyframes[index];
+    return index + 1 < this.track.keyframes.length && time > departure(keyframe);
+  }
+
+  private blendInto(segment: number, time: number, out: Float32Array): void {
+    const from = this.track.keyframes[segment]?.positions.xy;
+    const to = this.track.keyframes[segment + 1]?.positions.xy;
+    if (!from || !to) return;
+    const start = this.startOf(segment);
+    const t = eased(this.track.segments[segment]?.timing ?? "linear", (time - start) / (this.endOf(segment) - start));
+    for (let k = 0; k < from.length; k += 1) {
+      const a = from[k] ?? 0;
+      out[k] = a + ((to[k] ?? 0) - a) * t;
+    }
+  }
+
+  /** A motion of other agents or other times belongs to a scene that has changed since. */
+  private fitting(segment: number, motion: SegmentMotion | null): SegmentMotion | null {
+    if (motion?.agentCount !== this.agentCount) return null;
+    const isStarting = Math.abs(motion.start - this.startOf(segment)) <= TIME_TOLERANCE;
+    const isEnding = Math.abs(motion.end - this.endOf(segment)) <= TIME_TOLERANCE;
+    return isStarting && isEnding ? motion : null;
+  }
+}
+
+/** Scene seconds until the last formation has stood. */
+export function showDuration(track: Track): number {
+  return departure(track.keyframes[track.keyframes.length - 1]);
+}
+
+/** The parameter at share `t` of a segment's time. */
+export function eased(timing: Timing, t: number): number {
+  return timing === "smooth" ? t * t * (3 - 2 * t) : t;
+}
+
+function departure(keyframe: Keyframe | undefined): number {
+  return keyframe ? keyframe.time + keyframe.hold : 0;
+}
