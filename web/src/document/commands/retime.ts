@@ -36,7 +36,7 @@ export function rippleKeyframe(index: number, time: number): Command {
       const latest = keyframe.time + LIMITS.seconds - (last.time + last.hold);
       const by = (clamp(time, earliest(scene, index), latest) ?? keyframe.time) - keyframe.time;
       if (by === 0) return scene;
-      const keyframes = track.keyframes.map((was, i) => (i < index ? was : { ...was, time: was.time + by }));
+      const keyframes = track.keyframes.map((was, i) => (i < index ? was : { ...was, time: tidy(was.time + by) }));
       return withinLimits(
         scene,
         updateTrack(scene, (was) => ({ ...was, keyframes })),
@@ -73,4 +73,10 @@ function earliest(scene: Scene, index: number): number {
 /** Within bounds and exact to a millisecond; null where the bounds leave no room. */
 function clamp(value: number, low: number, high: number): number | null {
   return low <= high ? Math.max(low, Math.min(high, roundTime(value))) : null;
+}
+
+/** A time without the last bits a sum leaves; one that is finer than a millisecond stays as it is. */
+function tidy(time: number): number {
+  const rounded = roundTime(time);
+  return Math.abs(rounded - time) < 1e-9 ? rounded : time;
 }

@@ -1,0 +1,86 @@
+import { groupAt, groupOf, groupPaths, groupSet } from "./groups";
+import { GROUP_COLORS, UNGROUPED_COLOR } from "./palette";
+import { type GroupPath, mainTrack, type Scene } from "./scene";
+import type { Selection } from "./selection";
+
+/** What a person calls an agent: its name, or its number from 1. */
+export function agentLabel(scene: Scene, agent: number): string {
+  return mainTrack(scene).agents[agent]?.name || String(agent + 1);
+}
+
+export function keyframeLabel(scene: Scene, keyframe: number): string {
+  return mainTrack(scene).keyframes[keyframe]?.name || `Keyframe ${keyframe + 1}`;
+}
+
+export function groupLabel(scene: Scene, path: GroupPath): string {
+  return groupAt(scene.groups, path)?.name || `Group ${path.map((step) => step + 1).join(".")}`;
+}
+
+/** As stored: `#rrggbb`; a group without one has the next of the palette. */
+export function groupColor(scene: Scene, path: GroupPath): string {
+  const own = groupAt(scene.groups, path)?.color;
+  if (own) return own;
+  const place = groupPaths(scene.groups).findIndex((other) => other.join() === path.join());
+  return GROUP_COLORS[Math.max(0, place) % GROUP_COLORS.length] ?? UNGROUPED_COLOR;
+}
+
+/** As stored: `#rrggbb`; an agent without one has its group's. */
+export function agentColor(scene: Scene, agent: number): string {
+  const own = mainTrack(scene).agents[agent]?.color;
+  if (own) return own;
+  const path = groupOf(scene.groups, agent);
+  return path ? groupColor(scene, path) : UNGROUPED_COLOR;
+}
+
+/** The color of every agent, by agent index; one pass over the groups. */
+export function agentColors(scene: Scene): readonly string[] {
+  const agents = mainTrack(scene).agents;
+  const colors = agents.map((agent) => agent.color);
+  groupPaths(scene.groups).forEach((path, place) => {
+    const group = groupAt(scene.groups, path);
+    const color = group?.color || (GROUP_COLORS[place % GROUP_COLORS.length] ?? UNGROUPED_COLOR);
+    for (const member of group?.members ?? []) colors[member] ||= color;
+  });
+  return colors.map((color) => color || UNGROUPED_COLOR);
+}
+
+const NOBODY: ReadonlySet<number> = new Set();
+
+/** The agents a selection stands for: its own, a group's set, the two of a tie. */
+export function selectedAgents(scene: Scene, selection: Selection): ReadonlySet<number> {
+  switch (selection.kind) {
+    case "agents":
+      return selection.agents;
+    case "group": {
+      const group = groupAt(scene.groups, selection.path);
+      return group ? groupSet(group) : NOBODY;
+    }
+    case "tie":
+      return new Set([selection.a, selection.b]);
+    default:
+      return NOBODY;
+  }
+}
+
+export function allAgents(scene: Scene): ReadonlySet<number> {
+  return new Set(mainTrack(scene).agents.keys());
+}
+
+/** What Draw and Shape do at a keyframe: bring new agents, or place those the show has. */
+export type Placement =
+  | { readonly kind: "add" }
+  | { readonly kind: "place"; readonly agents: readonly number[]; readonly reason: string };
+
+/** The show's agents are made at its first keyframe; later ones place the selected agents, or else all of them. */
+export function placementAt(scene: Scene, keyframe: number, selection: Selection): Placement {
+  const all = mainTrack(scene).agents.length;
+  if (keyframe === 0 || all === 0) return { kind: "add" };
+  const selected = selection.kind === "tie" ? NOBODY : selectedAgents(scene, selection);
+  if (selected.size === 0) {
+    const reason = `Every keyframe has the same ${all} ${all === 1 ? "agent" : "agents"}; add agents at the first.`;
+    return { kind: "place", agents: [...mainTrack(scene).agents.keys()], reason };
+  }
+  const agents = [...selected].sort((a, b) => a - b);
+  const reason = `Places the ${agents.length} selected of ${all} agents; add agents at the first keyframe.`;
+  return { kind: "place", agents, reason };
+}
