@@ -1,0 +1,101 @@
+import { type Signal, signal } from "@preact/signals";
+import { reorderKeyframe } from "../../document/commands/keyframes";
+import { retimeKeyframe, rippleKeyframe } from "../../document/commands/retime";
+import { type Keyframe, mainTrack, type Scene } from "../../document/scene";
+import type { DocumentStore, Gesture } from "../../document/store";
+import { type Scale, xOf } from "./scale";
+import { snapTime } from "./snap";
+
+/** How a press on a keyframe goes on. */
+export type DragState =
+  | { readonly kind: "idle" }
+  | { readonly kind: "pressed"; readonly index: number; readonly x: number }
+  | { readonly kind: "retiming"; readonly index: number; readonly x: number; readonly gesture: Gesture }
+  /** Over another keyframe: letting go brings the formation to its place in the order. */
+  | {
+      readonly kind: "reordering";
+      readonly index: number;
+      readonly x: number;
+      readonly gesture: Gesture;
+      readonly other: number;
+    };
+
+export interface DragInput {
+  /** Track pixels. */
+  readonly x: number;
+  readonly isRipple: boolean;
+  /** Scene seconds; a dragged keyframe sticks to it. */
+  readonly playhead: number;
+}
+
+/** Pixels a press may wander and still be a click. */
+const CLICK_SLOP = 4;
+/** A pointer this near to another keyframe's middle means its place. */
+const PLACE_REACH = 18;
+const IDLE: DragState = { kind: "idle" };
+
+/** Dragging a keyframe along the timeline: one undo entry, or none. */
+export class KeyframeDrag {
+  readonly state: Signal<DragState> = signal(IDLE);
+  /** The scene when the press began: where everything is measured from. */
+  private start: Scene;
+
+  constructor(
+    private readonly document: DocumentStore,
+    private readonly scale: () => Scale,
+  ) {
+    this.start = document.scene.peek();
+  }
+
+  press(index: number, x: number): void {
+    this.cancel();
+    this.start = this.document.scene.peek();
+    this.state.value = { kind: "pressed", index, x };
+  }
+
+  move(input: DragInput): void {
+    const state = this.state.peek();
+    if (state.kind === "idle") return;
+    const { index, x } = state;
+    if (state.kind === "pressed" && Math.abs(input.x - x) < CLICK_SLOP) return;
+    const gesture = state.kind === "pressed" ? this.document.beginGesture() : state.gesture;
+    const other = this.keyframeUnder(input.x, index);
+    if (other !== null) {
+      gesture.preview(retimeKeyframe(index, this.keyframes[index]?.time ?? 0));
+      this.state.value = { kind: "reordering", index, x, gesture, other };
+      return;
+    }
+    const scale = this.scale();
+    const wanted = (this.keyframes[index]?.time ?? 0) + (input.x - x) / scale.pixelsPerSecond;
+    const snapped = snapTime(wanted, this.start, { pixelsPerSecond: scale.pixelsPerSecond, times: [input.playhead] });
+    gesture.preview(input.isRipple ? rippleKeyframe(index, snapped) : retimeKeyframe(index, snapped));
+    this.state.value = { kind: "retiming", index, x, gesture };
+  }
+
+  /** @returns true when it was a click */
+  release(): boolean {
+    const state = this.state.peek();
+    this.state.value = IDLE;
+    if (state.kind === "reordering") state.gesture.preview(reorderKeyframe(state.index, state.other));
+    if (state.kind === "retiming" || state.kind === "reordering") state.gesture.commit();
+    return state.kind === "pressed";
+  }
+
+  cancel(): void {
+    const state = this.state.peek();
+    this.state.value = IDLE;
+    if (state.kind === "retiming" || state.kind === "reordering") state.gesture.cancel();
+  }
+
+  private get keyframes(): readonly Keyframe[] {
+    return mainTrack(this.start).keyframes;
+  }
+
+  private keyframeUnder(x: number, index: number): number | null {
+    const scale = this.scale();
+    const found = this.keyframes.findIndex(
+      (keyframe, other) => other !== index && Math.abs(xOf(scale, keyframe.time) - x) < PLACE_REACH,
+    );
+    return found < 0 ? null : found;
+  }
+}

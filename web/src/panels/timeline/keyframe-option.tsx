@@ -1,0 +1,50 @@
+import type { JSX } from "preact";
+import type { Keyframe } from "../../document/scene";
+import { shortTime } from "./clock";
+import type { KeyframePlace } from "./layout";
+import { placed } from "./place";
+import { THUMBNAIL_WIDTH } from "./scale";
+import { Thumbnail, type ThumbnailProps } from "./thumbnail";
+
+export interface KeyframeOptionProps {
+  readonly index: number;
+  readonly keyframe: Keyframe;
+  readonly place: KeyframePlace;
+  readonly isSelected: boolean;
+  readonly isFocusable: boolean;
+  /** Null while the keyframe is far out of sight. */
+  readonly paint: Pick<ThumbnailProps, "colors" | "palette"> | null;
+  readonly mark: "none" | "dragged" | "target";
+  readonly handlers: Pick<
+    JSX.HTMLAttributes<HTMLDivElement>,
+    "onPointerDown" | "onPointerMove" | "onPointerUp" | "onPointerCancel" | "onContextMenu"
+  >;
+}
+
+export function keyframeName(keyframe: Keyframe, index: number): string {
+  return keyframe.name || `Keyframe ${index + 1}`;
+}
+
+/** A keyframe: the formation in small at its time, drawn on to the right for as long as it holds. */
+export function KeyframeOption(props: KeyframeOptionProps) {
+  const { index, keyframe, place, mark } = props;
+  const name = keyframeName(keyframe, index);
+  const hold = place.right - place.x - THUMBNAIL_WIDTH / 2;
+  return (
+    <div
+      ref={placed(place.x)}
+      class={`keyframe is-${mark}`}
+      role="option"
+      aria-selected={props.isSelected}
+      aria-label={name}
+      aria-description={`at ${shortTime(keyframe.time)}${keyframe.hold > 0 ? `, holds ${shortTime(keyframe.hold)}` : ""}`}
+      tabIndex={props.isFocusable ? 0 : -1}
+      data-index={index}
+      {...props.handlers}
+    >
+      {hold > 0 && <i ref={placed(THUMBNAIL_WIDTH / 2, hold)} class="hold-bar" />}
+      <span class="thumbnail">{props.paint && <Thumbnail formation={keyframe.positions} {...props.paint} />}</span>
+      <span class="keyframe-name">{mark === "dragged" ? shortTime(Math.round(keyframe.time * 100) / 100) : name}</span>
+    </div>
+  );
+}

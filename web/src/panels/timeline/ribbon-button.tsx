@@ -1,0 +1,99 @@
+import { useStudio } from "../studio";
+import { lengthWithUnit } from "../units";
+import { shortTime } from "./clock";
+import type { TransitionPlace } from "./layout";
+import { placed } from "./place";
+import { momentX, ribbonPath } from "./ribbon";
+import { timeAt } from "./scale";
+import { METHOD_WORDS, type TransitionState } from "./transition-state";
+import type { Viewport } from "./viewport";
+
+const HEIGHT = 54;
+const INSET = 9;
+const BAR_HALF_HEIGHT = 14.5;
+const BAR_HALF_WIDTH = 0.875;
+/** Narrower ribbons show the number alone, or no label. */
+const ROOM_FOR_METHOD = 104;
+const ROOM_FOR_NUMBER = 44;
+
+export interface RibbonProps {
+  readonly index: number;
+  /** `Opener to Letter C`. */
+  readonly names: string;
+  readonly place: TransitionPlace;
+  readonly state: TransitionState;
+  readonly isSelected: boolean;
+  readonly viewport: Viewport;
+}
+
+/** One transition: a wedge whose shape and color say how the minimum distance fares, and how it is moved. */
+export function Ribbon({ index, names, place, state, isSelected, viewport }: RibbonProps) {
+  const { document, playback } = useStudio();
+  const { status, plan, words, isPlanning } = state;
+  const clearance = plan?.report.clearance ?? null;
+  const inset = Math.min(INSET, place.width / 6);
+  const width = place.width - 2 * inset;
+  const scale = viewport.scale.value;
+  const momentTime = clearance?.time ?? 0;
+  const moment = (scale.origin + momentTime * scale.pixelsPerSecond - place.left - inset) / width;
+  const distance = clearance && lengthWithUnit(clearance.distance, document.scene.value.stage.units);
+  const cut = inset + momentX(moment, width, 3.5);
+  const method = plan ? METHOD_WORDS[plan.report.choice.method] : "";
+
+  const choose = (clientX: number, element: Element) => {
+    document.selection.value = { kind: "transition", index };
+    const box = element.getBoundingClientRect();
+    const x = clientX - box.left;
+    const isOnMark = (status === "tight" || status === "clash") && Math.abs(x - cut) < 8;
+    playback.seek(isOnMark ? momentTime : timeAt(scale, place.left + x));
+  };
+
+  return (
+    <li ref={placed(place.left, place.width)} class="ribbon-place">
+      <button
+        type="button"
+        class={`ribbon is-${status}${isPlanning ? " is-planning-now" : ""}`}
+        aria-pressed={isSelected}
+        aria-label={description(names, state, method, distance, momentTime)}
+        onClick={(event) => {
+          if (event.detail > 0) choose(event.clientX, event.currentTarget);
+          else document.selection.value = { kind: "transition", index };
+        }}
+      >
+        <svg width={place.width} height={HEIGHT} aria-hidden="true">
+          <g transform={`translate(${inset} 0)`}>
+            <path
+              d={ribbonPath(status, width, HEIGHT, moment)}
+              fill={`url(#ribbon-${status}-${isSelected ? "chosen" : "quiet"})`}
+            />
+          </g>
+          {status === "clash" && (
+            <path
+              class="cut"
+              d={`M${cut - BAR_HALF_WIDTH} ${HEIGHT / 2 - BAR_HALF_HEIGHT}h${2 * BAR_HALF_WIDTH}v${2 * BAR_HALF_HEIGHT}h${-2 * BAR_HALF_WIDTH}Z`}
+            />
+          )}
+        </svg>
+        {place.width >= ROOM_FOR_NUMBER && (
+          <span class="ribbon-label number">
+            {(place.width >= ROOM_FOR_METHOD || !distance) && <span>{isPlanning ? words : method || words}</span>}
+            {distance && <span class="clearance">{distance}</span>}
+          </span>
+        )}
+      </button>
+    </li>
+  );
+}
+
+function description(
+  names: string,
+  { status, plan, words, isPlanning }: TransitionState,
+  method: string,
+  distance: string | null,
+  time: number,
+): string {
+  if (!plan || isPlanning) return `Transition ${names}: ${words}`;
+  if (!distance) return `Transition ${names}: ${method}`;
+  const where = status === "holds" ? "" : ` at ${shortTime(Math.round(time * 10) / 10)}`;
+  return `Transition ${names}: ${method}, ${status}, clearance ${distance}${where}`;
+}

@@ -1,0 +1,70 @@
+import { useSignalEffect } from "@preact/signals";
+import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
+import { useStudio } from "../studio";
+import { EmptySlot } from "./empty-slot";
+import { KeyframeList } from "./keyframe-list";
+import { LoopBar } from "./loop-bar";
+import { Overview } from "./overview";
+import { Playhead, TimeSlider } from "./playhead";
+import { Ribbons } from "./ribbons";
+import { RulerStrip } from "./ruler-strip";
+import { Scrubber } from "./scrubber";
+import { Transport } from "./transport";
+import { createViewport } from "./viewport";
+import "./timeline.css";
+
+/** The show along time: what plays it, its keyframes and the transitions between them. */
+export function Timeline() {
+  const { document, playback } = useStudio();
+  const viewport = useMemo(() => createViewport(document, playback), [document, playback]);
+  const window = useRef<HTMLDivElement>(null);
+  const track = useRef<HTMLDivElement>(null);
+
+  useLayoutEffect(() => {
+    const element = window.current;
+    if (!element) return;
+    const measure = () => {
+      viewport.width.value = element.clientWidth;
+    };
+    const observer = new ResizeObserver(measure);
+    measure();
+    observer.observe(element);
+    return () => observer.disconnect();
+  }, [viewport]);
+
+  useSignalEffect(() => {
+    if (track.current) track.current.style.transform = `translateX(${-viewport.scroll.value}px)`;
+  });
+  useSignalEffect(() => {
+    if (playback.isPlaying.value) viewport.reveal(playback.time.value);
+  });
+
+  return (
+    <section class="timeline" aria-label="Timeline">
+      <Transport />
+      <div
+        ref={window}
+        id="timeline-track"
+        class="track-window"
+        onWheel={(event) => {
+          event.preventDefault();
+          const left = event.currentTarget.getBoundingClientRect().left;
+          if (event.ctrlKey || event.metaKey) viewport.zoomBy(Math.exp(-event.deltaY / 300), event.clientX - left);
+          else viewport.scrollTo(viewport.scroll.peek() + event.deltaX + event.deltaY);
+        }}
+      >
+        <Scrubber viewport={viewport} />
+        <div ref={track} class="track">
+          <RulerStrip viewport={viewport} />
+          <LoopBar viewport={viewport} />
+          <Ribbons viewport={viewport} />
+          <KeyframeList viewport={viewport} />
+          <EmptySlot viewport={viewport} />
+          <TimeSlider />
+          <Playhead viewport={viewport} />
+        </div>
+        <Overview viewport={viewport} />
+      </div>
+    </section>
+  );
+}
