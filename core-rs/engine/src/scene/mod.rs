@@ -5,6 +5,7 @@
 //! Parts that the engine caches by identity are shared (`Arc`): an unchanged part is the same allocation.
 
 mod groups;
+mod queries;
 
 pub use groups::group_ties;
 
