@@ -1,5 +1,5 @@
-import type { Scene } from "../document/scene";
-import type { Command, DocumentStore } from "../document/store";
+import { openScene } from "../document/open-scene";
+import type { DocumentStore } from "../document/store";
 import { type Engine, EngineError, type EngineProblem, type Opened } from "../engine/api";
 import type { Messages } from "../panels/messages";
 
@@ -21,10 +21,6 @@ export interface IntakeParts {
   readonly messages: Messages;
   /** The scene was replaced: show all of it from its start. */
   onOpened(): void;
-}
-
-export function replaceScene(scene: Scene, label: string): Command {
-  return { label, apply: () => scene };
 }
 
 /** The problem as a person reads it: what, and where. */
@@ -58,7 +54,7 @@ export function createIntake({ engine, document, messages, onOpened }: IntakePar
   async function openText(text: string, name: string): Promise<boolean> {
     const opened = await read(text, name);
     if (!opened) return false;
-    document.perform(replaceScene(opened.scene, `Open ${name}`));
+    openScene(document, opened.scene, `Open ${name}`);
     onOpened();
     const notes = opened.notes.join(" ");
     messages.say({ tone: "good", title: `${name} is open.`, text: notes || "The scene before it is one undo away." });
