@@ -1,7 +1,7 @@
 import { readFileSync } from "node:fs";
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { AGENT_COLORS } from "./colors";
+import { AGENT_COLORS } from "../document/palette";
 import { contrast, inkOn, withContrast } from "./contrast";
 import { readPalette } from "./palette";
 

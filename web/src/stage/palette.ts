@@ -1,4 +1,4 @@
-import { paletteNumber } from "./colors";
+import { AGENT_COLORS } from "../document/palette";
 import { withContrast } from "./contrast";
 
 /** Contrast with the sheet that every agent's color has. */
@@ -61,8 +61,9 @@ export function readPalette(read: (name: string) => string): Palette {
     shown(stored) {
       let color = known.get(stored);
       if (color === undefined) {
-        const number = paletteNumber(stored);
-        color = number ? value(`--agent-${number}`) : withContrast(stored.toLowerCase(), sheet, AGENT_CONTRAST);
+        const hex = stored.toLowerCase();
+        const place = (AGENT_COLORS as readonly string[]).indexOf(hex);
+        color = place < 0 ? withContrast(hex, sheet, AGENT_CONTRAST) : value(`--agent-${place + 1}`);
         known.set(stored, color);
       }
       return color;

@@ -1,4 +1,4 @@
-import { formatTime } from "../units";
+import { formatTime } from "../../document/units";
 
 /** `0:14`: a time with tenths only where there are any. */
 export function shortTime(seconds: number): string {

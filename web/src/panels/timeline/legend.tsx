@@ -1,7 +1,7 @@
 import { mainTrack } from "../../document/scene";
+import { lengthWithUnit } from "../../document/units";
 import { type Status, StatusWedge } from "../status";
 import { useStudio } from "../studio";
-import { lengthWithUnit } from "../units";
 
 /** What the three shapes of a ribbon mean; only where there is a transition to read. */
 export function Legend() {

@@ -1,7 +1,7 @@
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { formatTime } from "../../document/units";
 import { useStudio } from "../studio";
-import { formatTime } from "../units";
 import { shortTime } from "./clock";
 import { xOf } from "./scale";
 import type { Viewport } from "./viewport";

@@ -1,5 +1,5 @@
+import { lengthWithUnit } from "../../document/units";
 import { useStudio } from "../studio";
-import { lengthWithUnit } from "../units";
 import { shortTime } from "./clock";
 import type { TransitionPlace } from "./layout";
 import { placed } from "./place";

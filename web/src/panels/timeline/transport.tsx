@@ -2,9 +2,9 @@ import { useComputed, useSignalEffect } from "@preact/signals";
 import { Copy, Pause, Play, Plus, Repeat, SkipBack, SkipForward, Trash2 } from "lucide";
 import { useRef } from "preact/hooks";
 import { mainTrack } from "../../document/scene";
+import { formatTime } from "../../document/units";
 import { Icon } from "../../theme/icons";
 import { useStudio } from "../studio";
-import { formatTime } from "../units";
 import { shortTime } from "./clock";
 import { Legend } from "./legend";
 

@@ -1,7 +1,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { useEffect, useMemo, useState } from "preact/hooks";
+import { agentColors } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
-import { agentColors } from "../../stage/colors";
 import { type Palette, paletteOf } from "../../stage/palette";
 import { useStudio } from "../studio";
 

@@ -1,4 +1,4 @@
-import type { Units } from "../document/scene";
+import type { Units } from "./scene";
 
 /** Meters in one of each; a step is the marching step of 8 to 5 yards. */
 const METERS: Readonly<Record<Units, number>> = { m: 1, ft: 0.3048, yd: 0.9144, steps: 0.5715 };

@@ -1,8 +1,9 @@
 import { readFileSync } from "node:fs";
 import { describe, expect, it } from "vitest";
-import { Formation } from "../document/formation";
-import type { Agent, Group, Scene } from "../document/scene";
-import { AGENT_COLORS, agentColors, coloredGroups, paletteNumber } from "./colors";
+import { Formation } from "./formation";
+import { AGENT_COLORS, UNGROUPED_COLOR } from "./palette";
+import { agentColors, groupColor } from "./queries";
+import type { Agent, Group, Scene } from "./scene";
 
 function group(members: number[], color = "", children: Group[] = []): Group {
   return { name: "", color, members, tieWeight: null, children };
@@ -27,7 +28,8 @@ function agents(count: number): Agent[] {
   return Array.from({ length: count }, () => ({ name: "", color: "", radius: 0.25 }));
 }
 
-const number = (color: string | undefined) => paletteNumber(color ?? "");
+/** Place in the palette from 1; 0 for a color that is not in it. */
+const number = (color: string | undefined) => (AGENT_COLORS as readonly string[]).indexOf(color ?? "") + 1;
 
 describe("colors", () => {
   it("the stored palette is the light theme's", () => {
@@ -60,13 +62,16 @@ describe("colors", () => {
   });
 
   it("the color of the ungrouped is never given to a group", () => {
-    const many = Array.from({ length: 25 }, (_, k) => group([k]));
-    expect(coloredGroups(many).every(({ color }) => number(color) !== 10)).toBe(true);
+    const many = scene(
+      agents(25),
+      Array.from({ length: 25 }, (_, k) => group([k])),
+    );
+    for (const color of agentColors(many)) expect(color).not.toBe(UNGROUPED_COLOR);
   });
 
-  it("a group has its children's agents, too, and its path leads to it", () => {
-    const [outer, inner] = coloredGroups([group([4, 1], "", [group([3])])]);
-    expect(outer?.agents).toEqual([1, 3, 4]);
-    expect(inner?.path).toEqual([0, 0]);
+  it("a group and its agents agree on its color", () => {
+    const nested = scene(agents(4), [group([0], "", [group([1])]), group([2, 3])]);
+    const colors = agentColors(nested);
+    expect([groupColor(nested, [0]), groupColor(nested, [0, 0]), groupColor(nested, [1])]).toEqual(colors.slice(0, 3));
   });
 });
