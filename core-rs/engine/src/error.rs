@@ -1,12 +1,252 @@
 //! Everything a person can get wrong, in one closed list.
 //!
 //! Each variant says what is admissible; its code is stable. Bugs are assertions, never errors.
+//! `place` is where in the input: a field as `keyframes[2].positions[14]`, a line and column, a row; empty when it is the whole.
+
+mod code;
+
+use std::fmt::{self, Display, Formatter};
 
 /// A refusal of input: what, where, and a stable code.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
+    /// Nothing but white space.
+    #[error("there is nothing to read; give a scene file, a keyframe CSV or a link")]
+    Empty,
+    /// Bytes that are no UTF-8 text.
+    #[error("this is not text; a scene file, a keyframe CSV and a link are UTF-8 text")]
+    NotText {
+        /// The first byte that does not fit.
+        byte: usize,
+    },
+    /// More bytes than any valid scene needs.
+    #[error("{bytes} bytes; a file has at most {limit}")]
+    FileTooLarge {
+        /// How many there are.
+        bytes: usize,
+        /// How many are allowed.
+        limit: usize,
+    },
+
+    /// The text breaks the rules of JSON.
+    #[error("this is not well-formed JSON: {message}")]
+    InvalidJson {
+        /// What the parser met.
+        message: String,
+        /// Line and column, or the field.
+        place: String,
+    },
+    /// JSON of something else.
+    #[error("this is not a scene: its format is {found}, not \"eigenform\"")]
+    NotAScene {
+        /// What `format` says.
+        found: String,
+    },
+    /// A later version of the format.
+    #[error("this was made by a newer version of Eigenform (format version {version}); this one reads version 1")]
+    NewerVersion {
+        /// What `version` says.
+        version: String,
+    },
+    /// A required field is absent.
+    #[error("\"{field}\" is missing; it is required")]
+    MissingField {
+        /// Its name.
+        field: String,
+        /// The object that lacks it.
+        place: String,
+    },
+    /// A field that version 1 does not have.
+    #[error("\"{field}\" is no field here; the fields are {}", Listed(admissible))]
+    UnknownField {
+        /// Its name, shortened.
+        field: String,
+        /// The names there are.
+        admissible: &'static [&'static str],
+        /// The object that has it.
+        place: String,
+    },
+    /// A field given twice in one object.
+    #[error("\"{field}\" is given twice")]
+    RepeatedField {
+        /// Its name.
+        field: String,
+        /// The object.
+        place: String,
+    },
+    /// A value of another kind.
+    #[error("this is {found}; it must be {expected}")]
+    WrongType {
+        /// What is there.
+        found: String,
+        /// What must be.
+        expected: &'static str,
+        /// The value.
+        place: String,
+    },
+    /// A word that is not one of the admissible ones.
+    #[error("{value} is not known here; it must be one of {}", Listed(admissible))]
+    UnknownValue {
+        /// The word, shortened.
+        value: String,
+        /// The words there are.
+        admissible: &'static [&'static str],
+        /// The value.
+        place: String,
+    },
+    /// Version 1 names it, this program does not do it.
+    #[error("{value} is not supported yet; give {supported} or leave the field out")]
+    Unsupported {
+        /// What was given, shortened.
+        value: String,
+        /// What is supported in its place.
+        supported: String,
+        /// The field.
+        place: String,
+    },
+
+    /// Infinite, not a number, or too large for a double.
+    #[error("this is not a finite number")]
+    NotFinite {
+        /// The number.
+        place: String,
+    },
+    /// A number outside its limits.
+    #[error("{value} is out of range; it must be from {low} to {high}")]
+    OutOfRange {
+        /// The number.
+        value: f64,
+        /// The least admissible.
+        low: f64,
+        /// The greatest admissible.
+        high: f64,
+        /// The number's place.
+        place: String,
+    },
+    /// More characters than a name or title has.
+    #[error("{length} characters; at most {limit}")]
+    TooLong {
+        /// How many there are.
+        length: usize,
+        /// How many are allowed.
+        limit: usize,
+        /// The text.
+        place: String,
+    },
+    /// A color in another notation.
+    #[error("{value} is no color; it must be #rrggbb or empty")]
+    InvalidColor {
+        /// What was given, shortened.
+        value: String,
+        /// The color.
+        place: String,
+    },
+    /// More of something than its limit.
+    #[error("{count} {what}; at most {limit}")]
+    TooMany {
+        /// Of what.
+        what: Counted,
+        /// How many there are, at least.
+        count: usize,
+        /// How many are allowed.
+        limit: usize,
+        /// Where they are.
+        place: String,
+    },
+    /// A list that must match another.
+    #[error("{found} {what}; there must be {expected}")]
+    WrongCount {
+        /// Of what.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many there must be.
+        expected: usize,
+        /// The list.
+        place: String,
+    },
+    /// A motion of more agents × frames than fits.
+    #[error("{agent_count} agents × {frames} frames; at most {limit} in all, which fits at {fitting_rate} frames per second")]
+    TooManyFrames {
+        /// How many agents.
+        agent_count: usize,
+        /// How many frames.
+        frames: usize,
+        /// Agents × frames allowed.
+        limit: usize,
+        /// The highest whole frame rate that fits.
+        fitting_rate: u32,
+    },
+
+    /// A scene without any formation.
+    #[error("there is no keyframe; a scene has at least one")]
+    NoKeyframes,
+    /// Keyframes that do not follow one another.
+    #[error("{time} s is not after {end} s, when the keyframe before ends (its time and hold); times must rise")]
+    TimesDoNotRise {
+        /// The keyframe's time.
+        time: f64,
+        /// Time and hold of the one before.
+        end: f64,
+        /// The keyframe's time.
+        place: String,
+    },
+    /// An index that no agent has.
+    #[error("there is no agent {agent}; {}", agents_there(*agent_count))]
+    UnknownAgent {
+        /// The index.
+        agent: u32,
+        /// How many agents there are.
+        agent_count: usize,
+        /// The index's place.
+        place: String,
+    },
+    /// A pair of one agent.
+    #[error("agent {agent} is paired with itself; a pair has two agents")]
+    SelfTie {
+        /// The agent.
+        agent: u32,
+        /// The pair.
+        place: String,
+    },
+    /// A pair twice in one list, in either order.
+    #[error("agents {a} and {b} are listed twice; a pair occurs once in a list")]
+    RepeatedPair {
+        /// The lower agent.
+        a: u32,
+        /// The higher agent.
+        b: u32,
+        /// The later of the two.
+        place: String,
+    },
+    /// An agent twice in one group.
+    #[error("agent {agent} is listed twice in this group; once is enough")]
+    RepeatedMember {
+        /// The agent.
+        agent: u32,
+        /// The group's members.
+        place: String,
+    },
+    /// An agent in two groups, neither within the other.
+    #[error("agent {agent} is in {other} already; groups beside each other share no agent")]
+    SharedMember {
+        /// The agent.
+        agent: u32,
+        /// The group that has it.
+        other: String,
+        /// The group that lists it again.
+        place: String,
+    },
+    /// Groups within groups beyond the limit.
+    #[error("groups are nested more than {limit} deep")]
+    GroupsTooDeep {
+        /// How many levels are allowed.
+        limit: usize,
+        /// The group that is too deep.
+        place: String,
+    },
     /// More ties at one keyframe than the limit, groups expanded.
-    #[error("{count} ties at one keyframe; at most {limit}")]
+    #[error("{count} ties at one keyframe, those of groups included; at most {limit}")]
     TooManyTies {
         /// Which keyframe.
         keyframe: usize,
@@ -17,18 +257,57 @@ pub enum Error {
     },
 }
 
-impl Error {
-    /// Stable, kebab-case.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::TooManyTies { .. } => "too-many-ties",
-        }
-    }
+/// What a limit counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counted {
+    /// Agents of the scene.
+    Agents,
+    /// Keyframes of the scene.
+    Keyframes,
+    /// Agents × keyframes.
+    Positions,
+    /// Groups of the whole tree.
+    Groups,
+    /// Members of one group.
+    Members,
+    /// Ties of one list.
+    Ties,
+    /// Ties of all keyframes, groups expanded.
+    TiesInAll,
+    /// Cuts of one list.
+    Cuts,
+    /// Segments of the scene.
+    Segments,
+}
 
-    /// Where in the input, in words; empty when it is the whole.
-    pub fn place(&self) -> String {
-        match self {
-            Self::TooManyTies { keyframe, .. } => format!("keyframe {keyframe}"),
-        }
+impl Display for Counted {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Agents => "agents",
+            Self::Keyframes => "keyframes",
+            Self::Positions => "positions (agents × keyframes)",
+            Self::Groups => "groups",
+            Self::Members => "members of one group",
+            Self::Ties => "ties in one list",
+            Self::TiesInAll => "ties at all keyframes together, those of groups included",
+            Self::Cuts => "cuts in one list",
+            Self::Segments => "segments",
+        })
+    }
+}
+
+/// Words as a sentence lists them.
+struct Listed<'a>(&'a [&'static str]);
+
+impl Display for Listed<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        self.0.iter().enumerate().try_for_each(|(index, word)| write!(f, "{}\"{word}\"", if index == 0 { "" } else { ", " }))
+    }
+}
+
+fn agents_there(agent_count: usize) -> String {
+    match agent_count {
+        0 => "the scene has none".to_owned(),
+        count => format!("agents are 0 to {}", count - 1),
     }
 }

@@ -4,12 +4,23 @@
 //! sizes are checked before anything is allocated, and a scene that exists is valid.
 //! Parts that the engine caches by identity are shared (`Arc`): an unchanged part is the same allocation.
 
+mod defaults;
+pub mod document;
 mod groups;
+mod json;
+pub mod limits;
+mod normalize;
+mod number;
+pub(crate) mod place;
 mod queries;
-
-pub use groups::group_ties;
+mod validate;
 
 use std::sync::Arc;
+
+pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS};
+pub use groups::group_ties;
+pub use json::{read_json, write_json};
+pub use validate::validate;
 
 use serde::{Deserialize, Serialize};
 
@@ -167,7 +178,7 @@ pub struct Keyframe {
     pub hold: f64,
     /// `positions[i]` is always agent i.
     #[cfg_attr(feature = "types", ts(type = "Formation"))]
-    #[serde(default)]
+    #[serde(skip_deserializing, serialize_with = "document::flat")]
     pub positions: Arc<Formation>,
     /// Replaces the scene's adjacency here.
     #[cfg_attr(feature = "types", ts(as = "Option<AdjacencySpec>"))]
@@ -216,4 +227,14 @@ impl Default for TransitionSpec {
             timing: Timing::default(),
         }
     }
+}
+
+/// What a person typed, fit for one line of a message: at most 40 characters, no line ends.
+pub(crate) fn shown(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let mut shown: String = text.chars().take(LONGEST).map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        shown.push('…');
+    }
+    shown
 }

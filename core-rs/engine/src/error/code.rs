@@ -1,0 +1,84 @@
+//! The stable names of refusals, and where each points.
+
+use super::{Counted, Error};
+
+impl Error {
+    /// Stable, kebab-case.
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Empty => "empty",
+            Self::NotText { .. } => "not-text",
+            Self::FileTooLarge { .. } => "file-too-large",
+            Self::InvalidJson { .. } => "invalid-json",
+            Self::NotAScene { .. } => "not-a-scene",
+            Self::NewerVersion { .. } => "newer-version",
+            Self::MissingField { .. } => "missing-field",
+            Self::UnknownField { .. } => "unknown-field",
+            Self::RepeatedField { .. } => "repeated-field",
+            Self::WrongType { .. } => "wrong-type",
+            Self::UnknownValue { .. } => "unknown-value",
+            Self::Unsupported { .. } => "unsupported",
+            Self::NotFinite { .. } => "not-finite",
+            Self::OutOfRange { .. } => "out-of-range",
+            Self::TooLong { .. } => "too-long",
+            Self::InvalidColor { .. } => "invalid-color",
+            Self::TooMany { what, .. } => too_many(*what),
+            Self::WrongCount { .. } => "wrong-count",
+            Self::TooManyFrames { .. } => "too-many-frames",
+            Self::NoKeyframes => "no-keyframes",
+            Self::TimesDoNotRise { .. } => "times-do-not-rise",
+            Self::UnknownAgent { .. } => "unknown-agent",
+            Self::SelfTie { .. } => "self-tie",
+            Self::RepeatedPair { .. } => "repeated-pair",
+            Self::RepeatedMember { .. } => "repeated-member",
+            Self::SharedMember { .. } => "shared-member",
+            Self::GroupsTooDeep { .. } => "groups-too-deep",
+            Self::TooManyTies { .. } => "too-many-ties",
+        }
+    }
+
+    /// Where in the input, in words; empty when it is the whole.
+    pub fn place(&self) -> String {
+        match self {
+            Self::Empty | Self::FileTooLarge { .. } | Self::TooManyFrames { .. } => String::new(),
+            Self::NotText { byte } => format!("byte {byte}"),
+            Self::NotAScene { .. } => "format".to_owned(),
+            Self::NewerVersion { .. } => "version".to_owned(),
+            Self::NoKeyframes => "keyframes".to_owned(),
+            Self::TooManyTies { keyframe, .. } => format!("keyframes[{keyframe}]"),
+            Self::InvalidJson { place, .. }
+            | Self::MissingField { place, .. }
+            | Self::UnknownField { place, .. }
+            | Self::RepeatedField { place, .. }
+            | Self::WrongType { place, .. }
+            | Self::UnknownValue { place, .. }
+            | Self::Unsupported { place, .. }
+            | Self::NotFinite { place }
+            | Self::OutOfRange { place, .. }
+            | Self::TooLong { place, .. }
+            | Self::InvalidColor { place, .. }
+            | Self::TooMany { place, .. }
+            | Self::WrongCount { place, .. }
+            | Self::TimesDoNotRise { place, .. }
+            | Self::UnknownAgent { place, .. }
+            | Self::SelfTie { place, .. }
+            | Self::RepeatedPair { place, .. }
+            | Self::RepeatedMember { place, .. }
+            | Self::SharedMember { place, .. }
+            | Self::GroupsTooDeep { place, .. } => place.clone(),
+        }
+    }
+}
+
+fn too_many(what: Counted) -> &'static str {
+    match what {
+        Counted::Agents => "too-many-agents",
+        Counted::Keyframes => "too-many-keyframes",
+        Counted::Positions => "too-many-positions",
+        Counted::Groups => "too-many-groups",
+        Counted::Members => "too-many-members",
+        Counted::Ties | Counted::TiesInAll => "too-many-ties",
+        Counted::Cuts => "too-many-cuts",
+        Counted::Segments => "too-many-segments",
+    }
+}

@@ -1,0 +1,58 @@
+//! What an absent field means, for ever.
+
+use std::sync::Arc;
+
+use super::{Agent, Keyframe, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
+
+/// Frames per second where none are given.
+pub const DEFAULT_FRAME_RATE: f64 = 30.0;
+
+/// Body radius where none is given, meters.
+pub const DEFAULT_RADIUS: f64 = 0.25;
+
+impl Default for Scene {
+    /// No agents, standing at time 0.
+    fn default() -> Self {
+        Self {
+            title: String::new(),
+            seed: 0,
+            stage: Stage::default(),
+            tempo: Tempo::default(),
+            frame_rate: DEFAULT_FRAME_RATE,
+            minimum_distance: 0.0,
+            groups: Arc::default(),
+            adjacency: Arc::default(),
+            tracks: vec![Track { agents: Arc::default(), keyframes: vec![Keyframe::default()], segments: Vec::new() }],
+        }
+    }
+}
+
+impl Default for Stage {
+    fn default() -> Self {
+        Self { width: 100.0, depth: 60.0, height: 0.0, backdrop: super::Backdrop::default(), units: super::Units::default() }
+    }
+}
+
+impl Default for Tempo {
+    fn default() -> Self {
+        Self { beats_per_minute: 120.0, beats_per_bar: 4, start: 0.0 }
+    }
+}
+
+impl Default for Agent {
+    fn default() -> Self {
+        Self { name: String::new(), color: String::new(), radius: DEFAULT_RADIUS }
+    }
+}
+
+impl Default for Keyframe {
+    fn default() -> Self {
+        Self { name: String::new(), time: 0.0, hold: 0.0, positions: Arc::default(), adjacency: None }
+    }
+}
+
+impl Default for Segment {
+    fn default() -> Self {
+        Self::Transition(TransitionSpec::default())
+    }
+}

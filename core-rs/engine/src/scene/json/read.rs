@@ -1,0 +1,289 @@
+//! Scene file → scene.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use super::fields::{Fields, Only};
+use super::value::Value;
+use crate::adjacency::AdjacencySpec;
+use crate::choice::{Choice, DEFAULT_SHARING};
+use crate::error::{Counted, Error};
+use crate::formation::Formation;
+use crate::scene::normalize::{normalize_adjacency, normalize_groups};
+use crate::scene::place::Place;
+use crate::scene::{Agent, DEFAULT_FRAME_RATE, Group, Keyframe, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
+use crate::scene::{limits, shown, validate};
+
+const SCENE: &[&str] = &[
+    "format",
+    "version",
+    "title",
+    "seed",
+    "stage",
+    "tempo",
+    "frameRate",
+    "minimumDistance",
+    "join",
+    "tension",
+    "agents",
+    "groups",
+    "adjacency",
+    "keyframes",
+    "segments",
+    "obstacles",
+    "recordings",
+];
+const STAGE: &[&str] = &["width", "depth", "height", "backdrop", "units"];
+const TEMPO: &[&str] = &["beatsPerMinute", "beatsPerBar", "start"];
+const AGENT: &[&str] = &["name", "color", "radius", "maxSpeed"];
+const GROUP: &[&str] = &["name", "color", "members", "tieWeight", "children"];
+const ADJACENCY: &[&str] = &["base", "weights", "ties", "cuts", "obstacleTies"];
+const KEYFRAME: &[&str] = &["name", "time", "hold", "corner", "positions", "absent", "adjacency"];
+const SEGMENT: &[&str] = &[
+    "kind",
+    "method",
+    "chosen",
+    "order",
+    "alignment",
+    "sharing",
+    "keepSize",
+    "timing",
+    "avoidance",
+    "hierarchy",
+    "nodes",
+    "path",
+    "assignment",
+    "crowd",
+];
+const CHOICE: &[&str] = &["method", "order", "alignment", "sharing"];
+
+const JOINS: &[&str] = &["separate", "smooth", "product"];
+const KINDS: &[&str] = &["transition"];
+const LATER_METHODS: &[&str] = &["crowd"];
+const LATER_TIMINGS: &[&str] = &["even"];
+
+/// The scene of a scene file.
+pub fn read_json(text: &str) -> Result<Scene, Error> {
+    if text.len() > limits::FILE_BYTES {
+        return Err(Error::FileTooLarge { bytes: text.len(), limit: limits::FILE_BYTES });
+    }
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if text.trim_ascii().is_empty() {
+        return Err(Error::Empty);
+    }
+    let document = Value { text, place: Place::Top };
+    head(&document.some_fields(&["format", "version"])?)?;
+    let scene = scene(&document.object(SCENE)?)?;
+    validate(&scene)?;
+    Ok(scene)
+}
+
+/// Says what this is before any field of it is judged.
+fn head(fields: &Fields) -> Result<(), Error> {
+    let format = fields.required("format")?;
+    if format.text != "\"eigenform\"" {
+        return Err(Error::NotAScene { found: shown(format.text) });
+    }
+    let version = fields.required("version")?;
+    match version.number()? {
+        1.0 => Ok(()),
+        number if number > 1.0 => Err(Error::NewerVersion { version: shown(version.text) }),
+        _ => Err(version.wrong_type("1")),
+    }
+}
+
+fn scene(fields: &Fields) -> Result<Scene, Error> {
+    fields.only("join", &Only::Word("separate", JOINS))?;
+    fields.only("tension", &Only::Number(0.5))?;
+    fields.only("obstacles", &Only::NoEntries)?;
+    fields.only("recordings", &Only::NoEntries)?;
+    Ok(Scene {
+        title: fields.string("title")?,
+        seed: fields.whole("seed", 0)?,
+        stage: fields.get("stage").map_or(Ok(Stage::default()), stage)?,
+        tempo: fields.get("tempo").map_or(Ok(Tempo::default()), tempo)?,
+        frame_rate: fields.number("frameRate", DEFAULT_FRAME_RATE)?,
+        minimum_distance: fields.number("minimumDistance", 0.0)?,
+        groups: Arc::new(groups(fields)?),
+        adjacency: fields.get("adjacency").map_or(Ok(Arc::default()), |value| adjacency(value).map(Arc::new))?,
+        tracks: vec![track(fields)?],
+    })
+}
+
+fn stage(value: Value) -> Result<Stage, Error> {
+    let (fields, default) = (value.object(STAGE)?, Stage::default());
+    Ok(Stage {
+        width: fields.number("width", default.width)?,
+        depth: fields.number("depth", default.depth)?,
+        height: fields.number("height", default.height)?,
+        backdrop: fields.word("backdrop", &[])?,
+        units: fields.word("units", &[])?,
+    })
+}
+
+fn tempo(value: Value) -> Result<Tempo, Error> {
+    let (fields, default) = (value.object(TEMPO)?, Tempo::default());
+    Ok(Tempo {
+        beats_per_minute: fields.number("beatsPerMinute", default.beats_per_minute)?,
+        beats_per_bar: fields.whole("beatsPerBar", default.beats_per_bar)?,
+        start: fields.number("start", default.start)?,
+    })
+}
+
+fn groups(fields: &Fields) -> Result<Vec<Group>, Error> {
+    let mut count = 0;
+    let mut groups = fields.list("groups", limits::GROUPS, Counted::Groups, |value| group(value, 1, &mut count))?;
+    normalize_groups(&mut groups);
+    Ok(groups)
+}
+
+fn group(value: Value, depth: usize, count: &mut usize) -> Result<Group, Error> {
+    *count += 1;
+    if *count > limits::GROUPS {
+        return Err(Error::TooMany { what: Counted::Groups, count: *count, limit: limits::GROUPS, place: "groups".to_owned() });
+    }
+    if depth > limits::GROUP_DEPTH {
+        return Err(Error::GroupsTooDeep { limit: limits::GROUP_DEPTH, place: value.place.to_string() });
+    }
+    let fields = value.object(GROUP)?;
+    Ok(Group {
+        name: fields.string("name")?,
+        color: fields.string("color")?,
+        members: fields.list("members", limits::AGENTS, Counted::Members, |member| member.whole())?,
+        tie_weight: fields.optional("tieWeight", |factor| factor.number())?,
+        children: fields.list("children", limits::GROUPS, Counted::Groups, |child| group(child, depth + 1, count))?,
+    })
+}
+
+fn adjacency(value: Value) -> Result<AdjacencySpec, Error> {
+    let fields = value.object(ADJACENCY)?;
+    fields.only("obstacleTies", &Only::NoEntries)?;
+    let mut spec = AdjacencySpec {
+        base: fields.word("base", &[])?,
+        weights: fields.word("weights", &[])?,
+        ties: fields.list("ties", limits::TIES_PER_KEYFRAME, Counted::Ties, tie)?,
+        cuts: fields.list("cuts", limits::CUTS, Counted::Cuts, cut)?,
+    };
+    normalize_adjacency(&mut spec);
+    Ok(spec)
+}
+
+fn tie(value: Value) -> Result<(u32, u32, f64), Error> {
+    // The short way for what is right; the long way says what is wrong.
+    if let Ok(tie) = serde_json::from_str(value.text) {
+        return Ok(tie);
+    }
+    let [a, b, factor] = value.exactly("[a, b, factor], two agents and a number")?;
+    Ok((entry(&value, a).whole()?, entry(&value, b).whole()?, entry(&value, factor).number()?))
+}
+
+fn cut(value: Value) -> Result<(u32, u32), Error> {
+    if let Ok(cut) = serde_json::from_str(value.text) {
+        return Ok(cut);
+    }
+    let [a, b] = value.exactly("[a, b], two agents")?;
+    Ok((entry(&value, a).whole()?, entry(&value, b).whole()?))
+}
+
+fn position(value: Value) -> Result<DVec2, Error> {
+    const SHAPE: &str = "[x, y], two numbers in meters";
+    if let Ok(position) = serde_json::from_str(value.text) {
+        return Ok(DVec2::from_array(position));
+    }
+    if value.exactly::<3>(SHAPE).is_ok() {
+        return Err(Error::Unsupported { value: shown(value.text), supported: "[x, y]".to_owned(), place: value.place.to_string() });
+    }
+    let [x, y] = value.exactly(SHAPE)?;
+    Ok(DVec2::new(entry(&value, x).number()?, entry(&value, y).number()?))
+}
+
+/// An entry of a short list that is named as a whole.
+fn entry<'a, 'p>(list: &Value<'_, 'p>, text: &'a str) -> Value<'a, 'p> {
+    Value { text, place: list.place }
+}
+
+fn track(fields: &Fields) -> Result<Track, Error> {
+    fields.required("keyframes")?;
+    let mut budget = Budget::default();
+    let keyframes = fields.list("keyframes", limits::KEYFRAMES, Counted::Keyframes, |value| keyframe(value, &mut budget))?;
+    let agents = fields.list("agents", limits::AGENTS, Counted::Agents, agent)?;
+    let segments = fields.list("segments", limits::KEYFRAMES, Counted::Segments, segment)?;
+    let agent_count = keyframes.first().map_or(0, |first| first.positions.agent_count());
+    Ok(Track {
+        agents: Arc::new(if agents.is_empty() { vec![Agent::default(); agent_count] } else { agents }),
+        segments: if segments.is_empty() { vec![Segment::default(); keyframes.len().saturating_sub(1)] } else { segments },
+        keyframes,
+    })
+}
+
+/// What the keyframes read so far have used of the limits over all of them.
+#[derive(Default)]
+struct Budget {
+    positions: usize,
+    ties: usize,
+}
+
+impl Budget {
+    fn spend(&mut self, keyframe: &Keyframe, place: Place) -> Result<(), Error> {
+        self.positions += keyframe.positions.agent_count();
+        self.ties += keyframe.adjacency.as_ref().map_or(0, |own| own.ties.len());
+        let sums = [(self.positions, limits::POSITIONS, Counted::Positions), (self.ties, limits::TIES_IN_ALL, Counted::TiesInAll)];
+        match sums.into_iter().find(|(count, limit, _)| count > limit) {
+            Some((count, limit, what)) => Err(Error::TooMany { what, count, limit, place: place.to_string() }),
+            None => Ok(()),
+        }
+    }
+}
+
+fn keyframe(value: Value, budget: &mut Budget) -> Result<Keyframe, Error> {
+    let fields = value.object(KEYFRAME)?;
+    fields.only("corner", &Only::False)?;
+    fields.only("absent", &Only::NoEntries)?;
+    fields.required("positions")?;
+    let keyframe = Keyframe {
+        name: fields.string("name")?,
+        time: fields.number("time", 0.0)?,
+        hold: fields.number("hold", 0.0)?,
+        positions: Arc::new(Formation::new(fields.list("positions", limits::AGENTS, Counted::Agents, position)?)),
+        adjacency: fields.optional("adjacency", adjacency)?.map(Arc::new),
+    };
+    budget.spend(&keyframe, value.place)?;
+    Ok(keyframe)
+}
+
+fn agent(value: Value) -> Result<Agent, Error> {
+    let fields = value.object(AGENT)?;
+    fields.only("maxSpeed", &Only::Null)?;
+    Ok(Agent { name: fields.string("name")?, color: fields.string("color")?, radius: fields.number("radius", Agent::default().radius)? })
+}
+
+fn segment(value: Value) -> Result<Segment, Error> {
+    let fields = value.object(SEGMENT)?;
+    fields.only("kind", &Only::Word("transition", KINDS))?;
+    fields.only("avoidance", &Only::False)?;
+    fields.only("hierarchy", &Only::False)?;
+    fields.only("nodes", &Only::NoEntries)?;
+    for name in ["path", "assignment", "crowd"] {
+        fields.only(name, &Only::Null)?;
+    }
+    Ok(Segment::Transition(TransitionSpec {
+        method: fields.word("method", LATER_METHODS)?,
+        chosen: fields.optional("chosen", choice)?,
+        order: fields.word("order", &[])?,
+        alignment: fields.word("alignment", &[])?,
+        sharing: fields.number("sharing", DEFAULT_SHARING)?,
+        keep_size: fields.flag("keepSize")?,
+        timing: fields.word("timing", LATER_TIMINGS)?,
+    }))
+}
+
+fn choice(value: Value) -> Result<Choice, Error> {
+    let fields = value.object(CHOICE)?;
+    Ok(Choice {
+        method: fields.required("method")?.word(LATER_METHODS)?,
+        order: fields.word("order", &[])?,
+        alignment: fields.word("alignment", &[])?,
+        sharing: fields.number("sharing", DEFAULT_SHARING)?,
+    })
+}

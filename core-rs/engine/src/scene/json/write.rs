@@ -1,0 +1,186 @@
+//! Scene → scene file: what is required and what differs from its default.
+
+use serde::Serialize;
+
+use super::layout::Layout;
+use crate::adjacency::AdjacencySpec;
+use crate::choice::Choice;
+use crate::scene::{Agent, Group, Keyframe, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
+
+/// The scene file; [`super::read_json`] gives an equal scene.
+///
+/// # Panics
+/// When the scene has no track: a bug, not input.
+pub fn write_json(scene: &Scene) -> String {
+    let default = Scene::default();
+    let mut layout = Layout::default();
+    layout.object(|out| {
+        out.key("format").string("eigenform");
+        out.key("version").number(1.0);
+        string(out, "title", &scene.title);
+        number(out, "seed", f64::from(scene.seed), 0.0);
+        if scene.stage != default.stage {
+            stage(out.key("stage"), &scene.stage);
+        }
+        if scene.tempo != default.tempo {
+            tempo(out.key("tempo"), &scene.tempo);
+        }
+        number(out, "frameRate", scene.frame_rate, default.frame_rate);
+        number(out, "minimumDistance", scene.minimum_distance, default.minimum_distance);
+        let track = scene.main_track();
+        agents(out, &track.agents);
+        if !scene.groups.is_empty() {
+            out.key("groups").list(&scene.groups, group);
+        }
+        if scene.adjacency != default.adjacency {
+            adjacency(out.key("adjacency"), &scene.adjacency);
+        }
+        out.key("keyframes").list(&track.keyframes, keyframe);
+        segments(out, track);
+    });
+    layout.finish()
+}
+
+fn stage(out: &mut Layout, stage: &Stage) {
+    let default = Stage::default();
+    out.object_line(|out| {
+        number(out, "width", stage.width, default.width);
+        number(out, "depth", stage.depth, default.depth);
+        number(out, "height", stage.height, default.height);
+        word(out, "backdrop", &stage.backdrop);
+        word(out, "units", &stage.units);
+    });
+}
+
+fn tempo(out: &mut Layout, tempo: &Tempo) {
+    let default = Tempo::default();
+    out.object_line(|out| {
+        number(out, "beatsPerMinute", tempo.beats_per_minute, default.beats_per_minute);
+        number(out, "beatsPerBar", f64::from(tempo.beats_per_bar), f64::from(default.beats_per_bar));
+        number(out, "start", tempo.start, default.start);
+    });
+}
+
+fn agents(out: &mut Layout, agents: &[Agent]) {
+    let default = Agent::default();
+    if agents.iter().all(|agent| *agent == default) {
+        return;
+    }
+    out.key("agents").list(agents, |out, agent| {
+        out.object_line(|out| {
+            string(out, "name", &agent.name);
+            string(out, "color", &agent.color);
+            number(out, "radius", agent.radius, default.radius);
+        });
+    });
+}
+
+fn group(out: &mut Layout, group: &Group) {
+    if group.children.is_empty() {
+        out.object_line(|out| group_fields(out, group));
+    } else {
+        out.object(|out| {
+            group_fields(out, group);
+            out.key("children").list(&group.children, self::group);
+        });
+    }
+}
+
+fn group_fields(out: &mut Layout, group: &Group) {
+    string(out, "name", &group.name);
+    string(out, "color", &group.color);
+    if !group.members.is_empty() {
+        out.key("members").list_line(&group.members, |out, member| out.number(f64::from(*member)));
+    }
+    if let Some(factor) = group.tie_weight {
+        out.key("tieWeight").number(factor);
+    }
+}
+
+fn adjacency(out: &mut Layout, spec: &AdjacencySpec) {
+    if spec.ties.is_empty() && spec.cuts.is_empty() {
+        out.object_line(|out| adjacency_words(out, spec));
+    } else {
+        out.object(|out| {
+            adjacency_words(out, spec);
+            if !spec.ties.is_empty() {
+                out.key("ties").list(&spec.ties, |out, &(a, b, factor)| numbers(out, &[f64::from(a), f64::from(b), factor]));
+            }
+            if !spec.cuts.is_empty() {
+                out.key("cuts").list(&spec.cuts, |out, &(a, b)| numbers(out, &[f64::from(a), f64::from(b)]));
+            }
+        });
+    }
+}
+
+fn adjacency_words(out: &mut Layout, spec: &AdjacencySpec) {
+    word(out, "base", &spec.base);
+    word(out, "weights", &spec.weights);
+}
+
+fn keyframe(out: &mut Layout, keyframe: &Keyframe) {
+    out.object(|out| {
+        string(out, "name", &keyframe.name);
+        number(out, "time", keyframe.time, 0.0);
+        number(out, "hold", keyframe.hold, 0.0);
+        out.key("positions").list(keyframe.positions.positions(), |out, position| numbers(out, &position.to_array()));
+        if let Some(own) = &keyframe.adjacency {
+            adjacency(out.key("adjacency"), own);
+        }
+    });
+}
+
+fn segments(out: &mut Layout, track: &Track) {
+    let default = Segment::default();
+    if track.segments.iter().any(|segment| *segment != default) {
+        out.key("segments").list(&track.segments, |out, Segment::Transition(transition)| {
+            out.object_line(|out| transition_fields(out, transition));
+        });
+    }
+}
+
+fn transition_fields(out: &mut Layout, transition: &TransitionSpec) {
+    let default = TransitionSpec::default();
+    word(out, "method", &transition.method);
+    if let Some(chosen) = &transition.chosen {
+        choice(out.key("chosen"), chosen);
+    }
+    word(out, "order", &transition.order);
+    word(out, "alignment", &transition.alignment);
+    number(out, "sharing", transition.sharing, default.sharing);
+    if transition.keep_size {
+        out.key("keepSize").raw("true");
+    }
+    word(out, "timing", &transition.timing);
+}
+
+fn choice(out: &mut Layout, choice: &Choice) {
+    out.object_line(|out| {
+        word(out, "method", &choice.method);
+        word(out, "order", &choice.order);
+        word(out, "alignment", &choice.alignment);
+        number(out, "sharing", choice.sharing, TransitionSpec::default().sharing);
+    });
+}
+
+fn numbers(out: &mut Layout, numbers: &[f64]) {
+    out.list_line(numbers, |out, number| out.number(*number));
+}
+
+fn number(out: &mut Layout, name: &str, value: f64, default: f64) {
+    if value.to_bits() != default.to_bits() {
+        out.key(name).number(value);
+    }
+}
+
+fn string(out: &mut Layout, name: &str, text: &str) {
+    if !text.is_empty() {
+        out.key(name).string(text);
+    }
+}
+
+fn word<T: Serialize + Default + PartialEq>(out: &mut Layout, name: &str, word: &T) {
+    if *word != T::default() {
+        out.key(name).raw(&serde_json::to_string(word).expect("a word is written as a text"));
+    }
+}

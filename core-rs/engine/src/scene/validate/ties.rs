@@ -1,0 +1,87 @@
+//! Ties and cuts: pairs that exist, once each, and not too many when groups are expanded.
+
+use super::{at_most, within};
+use crate::adjacency::{AdjacencySpec, COMPLETE_GROUP_LIMIT, GroupTie, TooManyTies, expanded_tie_count};
+use crate::error::{Counted, Error};
+use crate::formation::Formation;
+use crate::scene::place::Place;
+use crate::scene::{Group, Scene, group_ties, limits};
+
+pub(super) fn check(scene: &Scene) -> Result<(), Error> {
+    let track = scene.main_track();
+    let agent_count = track.agents.len();
+    let top = Place::Top;
+    lists(&scene.adjacency, agent_count, &top.field("adjacency"))?;
+    let group_ties = GroupTies::of(&scene.groups);
+    let mut ties_in_all = 0;
+    for (index, keyframe) in track.keyframes.iter().enumerate() {
+        if let Some(own) = &keyframe.adjacency {
+            lists(own, agent_count, &top.field("keyframes").item(index).field("adjacency"))?;
+        }
+        let spec = keyframe.adjacency.as_ref().unwrap_or(&scene.adjacency);
+        let count = group_ties.count_with(&keyframe.positions, spec);
+        if count > limits::TIES_PER_KEYFRAME {
+            return Err(Error::TooManyTies { keyframe: index, count, limit: limits::TIES_PER_KEYFRAME });
+        }
+        ties_in_all += count;
+    }
+    at_most(ties_in_all, limits::TIES_IN_ALL, Counted::TiesInAll, top.field("keyframes"))
+}
+
+fn lists(spec: &AdjacencySpec, agent_count: usize, place: &Place) -> Result<(), Error> {
+    let (ties, cuts) = (place.field("ties"), place.field("cuts"));
+    at_most(spec.ties.len(), limits::TIES_PER_KEYFRAME, Counted::Ties, ties)?;
+    at_most(spec.cuts.len(), limits::CUTS, Counted::Cuts, cuts)?;
+    for (index, &(a, b, factor)) in spec.ties.iter().enumerate() {
+        pair(a, b, agent_count, &ties.item(index))?;
+        within(factor, &limits::FACTOR, ties.item(index))?;
+    }
+    for (index, &(a, b)) in spec.cuts.iter().enumerate() {
+        pair(a, b, agent_count, &cuts.item(index))?;
+    }
+    once(spec.ties.iter().map(|&(a, b, _)| (a, b)), &ties)?;
+    once(spec.cuts.iter().copied(), &cuts)
+}
+
+fn pair(a: u32, b: u32, agent_count: usize, place: &Place) -> Result<(), Error> {
+    for agent in [a, b] {
+        if agent as usize >= agent_count {
+            return Err(Error::UnknownAgent { agent, agent_count, place: place.to_string() });
+        }
+    }
+    if a == b { Err(Error::SelfTie { agent: a, place: place.to_string() }) } else { Ok(()) }
+}
+
+fn once(pairs: impl Iterator<Item = (u32, u32)>, place: &Place) -> Result<(), Error> {
+    let mut sorted: Vec<(u32, u32, usize)> = pairs.enumerate().map(|(index, (a, b))| (a.min(b), a.max(b), index)).collect();
+    sorted.sort_unstable();
+    match sorted.windows(2).find(|two| (two[0].0, two[0].1) == (two[1].0, two[1].1)) {
+        Some(two) => Err(Error::RepeatedPair { a: two[1].0, b: two[1].1, place: place.item(two[1].2).to_string() }),
+        None => Ok(()),
+    }
+}
+
+/// What groups tie at any keyframe; where it depends on the formation, it is counted there.
+enum GroupTies {
+    Same(usize),
+    Varying(Vec<GroupTie>),
+}
+
+impl GroupTies {
+    fn of(groups: &[Group]) -> Self {
+        let ties = group_ties(groups);
+        if ties.iter().all(|group| group.members.len() <= COMPLETE_GROUP_LIMIT) {
+            Self::Same(ties.iter().map(|group| group.members.len() * group.members.len().saturating_sub(1) / 2).sum())
+        } else {
+            Self::Varying(ties)
+        }
+    }
+
+    /// Ties of groups and by hand at one formation; up to one more than the limit.
+    fn count_with(&self, formation: &Formation, spec: &AdjacencySpec) -> usize {
+        match self {
+            Self::Same(count) => count + spec.ties.len(),
+            Self::Varying(ties) => expanded_tie_count(formation, spec, ties).unwrap_or_else(|TooManyTies { count }| count),
+        }
+    }
+}

@@ -1,0 +1,43 @@
+//! A scene survives every way out and in again.
+
+mod support;
+
+use std::sync::Arc;
+
+use eigenform::scene::{self, document, read_json, write_json};
+use glam::DVec2;
+use proptest::prelude::*;
+use support::arbitrary_scene;
+
+proptest! {
+    #[test]
+    fn every_generated_scene_is_valid(scene in arbitrary_scene()) {
+        prop_assert_eq!(scene::validate(&scene), Ok(()));
+    }
+
+    #[test]
+    fn a_scene_file_reads_back_as_the_scene_written(scene in arbitrary_scene()) {
+        let text = write_json(&scene);
+        let read = read_json(&text).map_err(|error| TestCaseError::fail(format!("{error} ({}): {text}", error.place())))?;
+        prop_assert_eq!(&read, &scene);
+        // Debug text tells −0 from 0, which equality does not.
+        prop_assert_eq!(format!("{read:?}"), format!("{scene:?}"));
+        prop_assert_eq!(write_json(&read), text);
+    }
+
+    #[test]
+    fn a_page_document_reads_back_with_its_formations(scene in arbitrary_scene()) {
+        let mut value: serde_json::Value = serde_json::from_str(&document::write(&scene)).unwrap();
+        for (keyframe, expected) in value["tracks"][0]["keyframes"].as_array_mut().unwrap().iter_mut().zip(&scene.tracks[0].keyframes) {
+            let positions = keyframe.as_object_mut().unwrap().remove("positions").unwrap();
+            let numbers: Vec<f64> = serde_json::from_value(positions).unwrap();
+            prop_assert_eq!(numbers, expected.positions.positions().iter().flat_map(DVec2::to_array).collect::<Vec<_>>());
+        }
+        let formations: Vec<_> = scene.tracks[0].keyframes.iter().map(|keyframe| Arc::clone(&keyframe.positions)).collect();
+        let read = document::read(&value.to_string(), formations.clone());
+        prop_assert_eq!(read.as_ref(), Ok(&scene));
+        for (keyframe, formation) in read.unwrap().tracks[0].keyframes.iter().zip(&formations) {
+            prop_assert!(Arc::ptr_eq(&keyframe.positions, formation));
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! Scenes that the laws are tried on.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use eigenform::adjacency::{AdjacencySpec, Base, Weights};
+use eigenform::choice::{Alignment, Choice, MethodName, Order, Timing};
+use eigenform::formation::Formation;
+use eigenform::scene::{Agent, Backdrop, Group, Keyframe, Scene, Segment, Stage, Tempo, Track, TransitionSpec, Units};
+use glam::DVec2;
+use proptest::collection::vec;
+use proptest::option;
+use proptest::prelude::*;
+
+/// Valid scenes of every kind: few agents and many fields, coordinates of any digits, pairs lower agent first.
+pub fn arbitrary_scene() -> impl Strategy<Value = Scene> {
+    (0_usize..24, 1_usize..5).prop_flat_map(|(agent_count, keyframe_count)| {
+        let surroundings = (title(), any::<u32>(), stage(), tempo(), 1.0..=120.0_f64, plain_or(0.0, 0.0..=1e5));
+        let parts = (groups(agent_count), adjacency(agent_count), track(agent_count, keyframe_count));
+        (surroundings, parts).prop_map(|((title, seed, stage, tempo, frame_rate, minimum_distance), (groups, adjacency, track))| Scene {
+            title,
+            seed,
+            stage,
+            tempo,
+            frame_rate: frame_rate_that_fits(frame_rate, &track),
+            minimum_distance,
+            groups: Arc::new(groups),
+            adjacency: Arc::new(adjacency),
+            tracks: vec![track],
+        })
+    })
+}
+
+/// The default half of the time: most fields of most scenes are absent.
+fn plain_or(plain: f64, values: impl Strategy<Value = f64> + 'static) -> impl Strategy<Value = f64> {
+    prop_oneof![Just(plain), values]
+}
+
+fn frame_rate_that_fits(frame_rate: f64, track: &Track) -> f64 {
+    let samples = track.agents.len() as f64 * 3_600.0 * frame_rate;
+    if samples < 1.9e7 { frame_rate } else { 30.0 }
+}
+
+fn title() -> impl Strategy<Value = String> {
+    prop_oneof![Just(String::new()), "[a-z ]{1,12}", "\\PC{0,200}"]
+}
+
+fn name() -> impl Strategy<Value = String> {
+    prop_oneof![Just(String::new()), "[A-Z][0-9]{1,2}", "[ -~]{1,20}", "\\PC{0,64}"]
+}
+
+fn color() -> impl Strategy<Value = String> {
+    prop_oneof![Just(String::new()), "#[0-9a-f]{6}", "#[0-9A-F]{6}"]
+}
+
+fn stage() -> impl Strategy<Value = Stage> {
+    use Backdrop::{FootballCollege, FootballHs, Grid, None, Soccer};
+    let backdrop = prop::sample::select(vec![None, Grid, FootballCollege, FootballHs, Soccer, Backdrop::Stage]);
+    let units = prop::sample::select(vec![Units::M, Units::Ft, Units::Yd, Units::Steps]);
+    (plain_or(100.0, 0.1..=2e5), plain_or(60.0, 0.1..=2e5), plain_or(0.0, 0.0..=1e5), backdrop, units)
+        .prop_map(|(width, depth, height, backdrop, units)| Stage { width, depth, height, backdrop, units })
+}
+
+fn tempo() -> impl Strategy<Value = Tempo> {
+    (plain_or(120.0, 1.0..=1e3), 1_u32..=64, plain_or(0.0, -3_600.0..=3_600.0)).prop_map(|(beats_per_minute, beats_per_bar, start)| Tempo {
+        beats_per_minute,
+        beats_per_bar,
+        start,
+    })
+}
+
+fn track(agent_count: usize, keyframe_count: usize) -> impl Strategy<Value = Track> {
+    let agents = prop_oneof![Just(vec![Agent::default(); agent_count]), vec(agent(), agent_count)];
+    (agents, keyframes(agent_count, keyframe_count), vec(segment(), keyframe_count - 1)).prop_map(|(agents, keyframes, segments)| Track {
+        agents: Arc::new(agents),
+        keyframes,
+        segments,
+    })
+}
+
+fn agent() -> impl Strategy<Value = Agent> {
+    (name(), color(), plain_or(0.25, 0.0..=1e5)).prop_map(|(name, color, radius)| Agent { name, color, radius })
+}
+
+fn keyframes(agent_count: usize, keyframe_count: usize) -> impl Strategy<Value = Vec<Keyframe>> {
+    let times = vec((plain_or(4.0, 0.001..400.0), plain_or(0.0, 0.0..400.0)), keyframe_count);
+    let parts = vec((name(), vec(position(), agent_count), option::weighted(0.2, adjacency(agent_count))), keyframe_count);
+    (plain_or(0.0, 0.0..400.0), times, parts).prop_map(|(start, times, parts)| {
+        let mut time = start;
+        let mut keyframes = Vec::new();
+        for ((gap, hold), (name, positions, adjacency)) in times.into_iter().zip(parts) {
+            let adjacency = adjacency.map(Arc::new);
+            keyframes.push(Keyframe { name, time, hold, positions: Arc::new(Formation::new(positions)), adjacency });
+            time += hold + gap;
+        }
+        keyframes
+    })
+}
+
+fn position() -> impl Strategy<Value = DVec2> {
+    let coordinate = || prop_oneof![(-400_i32..400).prop_map(|step| f64::from(step) / 8.0), -50.0..50.0_f64, -1e5..=1e5_f64];
+    (coordinate(), coordinate()).prop_map(|(x, y)| DVec2::new(x, y))
+}
+
+fn segment() -> impl Strategy<Value = Segment> {
+    let method =
+        prop::sample::select(vec![MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear]);
+    let timing = prop::sample::select(vec![Timing::Linear, Timing::Smooth]);
+    let transition = (method, option::of(choice()), order(), alignment(), plain_or(0.5, 0.0..=1.0), any::<bool>(), timing);
+    let transition = transition.prop_map(|(method, chosen, order, alignment, sharing, keep_size, timing)| TransitionSpec {
+        method,
+        chosen,
+        order,
+        alignment,
+        sharing,
+        keep_size,
+        timing,
+    });
+    prop_oneof![Just(TransitionSpec::default()), transition].prop_map(Segment::Transition)
+}
+
+fn choice() -> impl Strategy<Value = Choice> {
+    let method = prop::sample::select(vec![MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear]);
+    (method, order(), alignment(), plain_or(0.5, 0.0..=1.0)).prop_map(|(method, order, alignment, sharing)| Choice {
+        method,
+        order,
+        alignment,
+        sharing,
+    })
+}
+
+fn order() -> impl Strategy<Value = Order> {
+    prop::sample::select(vec![Order::Eigenvalue, Order::Greedy, Order::Maxmin, Order::Hungarian])
+}
+
+fn alignment() -> impl Strategy<Value = Alignment> {
+    prop::sample::select(vec![Alignment::None, Alignment::Pca, Alignment::Procrustes])
+}
+
+fn factor() -> impl Strategy<Value = f64> {
+    prop_oneof![Just(1.0), Just(10.0), 1e-6..=1e6_f64]
+}
+
+fn adjacency(agent_count: usize) -> impl Strategy<Value = AdjacencySpec> {
+    let base = prop::sample::select(vec![Base::Delaunay, Base::None]);
+    let weights = prop::sample::select(vec![Weights::Inverse, Weights::Unit]);
+    let lists = (pairs(agent_count), pairs(agent_count), vec(factor(), 8));
+    let own = (base, weights, lists).prop_map(|(base, weights, (ties, cuts, factors))| AdjacencySpec {
+        base,
+        weights,
+        ties: ties.into_iter().zip(factors).map(|((a, b), factor)| (a, b, factor)).collect(),
+        cuts,
+    });
+    prop_oneof![Just(AdjacencySpec::default()), own]
+}
+
+/// At most eight pairs, each once, in any order.
+fn pairs(agent_count: usize) -> impl Strategy<Value = Vec<(u32, u32)>> {
+    let agents = agent_count.max(1) as u32;
+    vec((0..agents, 0..agents), 0..8).prop_map(|pairs| {
+        let mut seen = std::collections::BTreeSet::new();
+        let ordered = pairs.into_iter().map(|(a, b)| (a.min(b), a.max(b)));
+        ordered.filter(|(a, b)| a != b && seen.insert((*a, *b))).collect()
+    })
+}
+
+/// Up to three levels; every agent in at most one group, some in none.
+fn groups(agent_count: usize) -> impl Strategy<Value = Vec<Group>> {
+    let seats = vec(option::weighted(0.8, (0_usize..3, 0_usize..3)), agent_count).prop_shuffle();
+    let looks = vec((name(), color(), option::weighted(0.3, factor())), 9);
+    prop_oneof![Just(Vec::new()), (seats, looks, Just(agent_count)).prop_map(|(seats, looks, _)| tree(&seats, &looks))]
+}
+
+type Look = (String, String, Option<f64>);
+
+/// Seat (band, 0) is a member of the band itself, seats (band, 1) and (band, 2) of groups within it.
+fn tree(seats: &[Option<(usize, usize)>], looks: &[Look]) -> Vec<Group> {
+    let mut members: BTreeMap<(usize, usize), Vec<u32>> = BTreeMap::new();
+    for (agent, seat) in seats.iter().enumerate() {
+        members.entry(seat.unwrap_or((usize::MAX, 0))).or_default().push(agent as u32);
+    }
+    let mut group = |band: usize, part: usize| {
+        let (name, color, tie_weight) = looks[3 * band + part].clone();
+        Group { name, color, tie_weight, members: members.remove(&(band, part)).unwrap_or_default(), children: Vec::new() }
+    };
+    let bands = (0..3).map(|band| Group { children: vec![group(band, 1), group(band, 2)], ..group(band, 0) });
+    bands.collect()
+}
