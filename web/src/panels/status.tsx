@@ -1,3 +1,5 @@
+import type { ComponentChildren } from "preact";
+
 export type Status = "holds" | "tight" | "clash" | "none";
 
 /** Up to this many minimum distances it is tight. */
@@ -27,3 +29,21 @@ export function StatusWedge({ status: shown }: { status: Status }) {
     </svg>
   );
 }
+
+/** A status in a pill with its number or words. */
+export function StatusPill({ status: shown, children }: { status: Status; children: ComponentChildren }) {
+  return (
+    <span class={`status-pill ${shown}`}>
+      <StatusWedge status={shown} />
+      {children}
+      <span class="unseen">{WORDS[shown]}</span>
+    </span>
+  );
+}
+
+const WORDS: Record<Status, string> = {
+  none: "",
+  holds: ", the minimum distance holds",
+  tight: ", tight",
+  clash: ", nearer than the minimum distance",
+};

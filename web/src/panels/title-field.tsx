@@ -1,3 +1,4 @@
+import { setTitle } from "../document/commands/scene";
 import { useStudio } from "./studio";
 
 /** The scene's title, edited in place. */
@@ -21,10 +22,7 @@ export function TitleField() {
           event.currentTarget.blur();
         }
       }}
-      onChange={(event) => {
-        const typed = event.currentTarget.value.trim();
-        document.perform({ label: "Rename scene", apply: (scene) => ({ ...scene, title: typed }) });
-      }}
+      onChange={(event) => document.perform(setTitle(event.currentTarget.value))}
     />
   );
 }

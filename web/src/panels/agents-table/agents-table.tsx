@@ -1,0 +1,4 @@
+/** Everybody. */
+export function AgentsTable() {
+  return <p />;
+}

@@ -1,0 +1,69 @@
+import { useState } from "preact/hooks";
+import { clampTo, type Quantity, stepped, stepsOf } from "./quantity";
+
+/**
+ * A number to type, step with the arrows, and read with its unit. It is taken over on Enter and on leaving; Escape
+ * leaves it as it was. What is no number keeps its edge in red and is not taken over.
+ */
+export function NumberBox(props: {
+  label: string;
+  value: number;
+  quantity: Quantity;
+  /** A letter before the number, in a box without a row of its own. */
+  prefix?: string;
+  isDisabled?: boolean;
+  describedBy?: string | undefined;
+  onCommit(value: number): void;
+}) {
+  const { value, quantity } = props;
+  const [draft, setDraft] = useState<string | null>(null);
+  const isInvalid = draft !== null && quantity.parse(draft) === null;
+
+  function commit(): void {
+    const typed = draft === null ? null : quantity.parse(draft);
+    setDraft(null);
+    if (typed !== null && draft !== quantity.format(value)) props.onCommit(clampTo(quantity, typed));
+  }
+
+  return (
+    <label
+      class="number-box"
+      data-invalid={isInvalid ? "" : undefined}
+      data-disabled={props.isDisabled ? "" : undefined}
+    >
+      {props.prefix && <span class="unit">{props.prefix}</span>}
+      <input
+        role="spinbutton"
+        inputMode="decimal"
+        autocomplete="off"
+        spellcheck={false}
+        aria-label={props.label}
+        aria-valuenow={value}
+        aria-valuemin={quantity.min}
+        aria-valuemax={quantity.max}
+        aria-valuetext={`${quantity.format(value)} ${quantity.unit}`.trim()}
+        aria-invalid={isInvalid}
+        aria-describedby={props.describedBy}
+        disabled={props.isDisabled ?? false}
+        value={draft ?? quantity.format(value)}
+        onFocus={(event) => event.currentTarget.select()}
+        onInput={(event) => setDraft(event.currentTarget.value)}
+        onBlur={commit}
+        onKeyDown={(event) => {
+          if (event.key === "Enter") commit();
+          if (event.key === "Escape") setDraft(null);
+          const steps =
+            event.key.startsWith("Arrow") && event.key !== "ArrowUp" && event.key !== "ArrowDown"
+              ? null
+              : stepsOf(event);
+          if (steps === null) return;
+          event.preventDefault();
+          const from = (draft === null ? null : quantity.parse(draft)) ?? value;
+          setDraft(null);
+          props.onCommit(stepped(quantity, from, steps));
+        }}
+      />
+      {quantity.unit && <span class="unit">{quantity.unit}</span>}
+    </label>
+  );
+}

@@ -1,0 +1,33 @@
+import { useState } from "preact/hooks";
+
+/** A line of text, taken over on Enter and on leaving; Escape leaves it as it was. */
+export function TextBox(props: {
+  label: string;
+  value: string;
+  placeholder?: string;
+  maxLength: number;
+  onCommit(text: string): void;
+}) {
+  const [draft, setDraft] = useState<string | null>(null);
+  function commit(): void {
+    setDraft(null);
+    if (draft !== null && draft !== props.value) props.onCommit(draft);
+  }
+  return (
+    <input
+      class="text-box"
+      aria-label={props.label}
+      placeholder={props.placeholder}
+      maxLength={props.maxLength}
+      autocomplete="off"
+      spellcheck={false}
+      value={draft ?? props.value}
+      onInput={(event) => setDraft(event.currentTarget.value)}
+      onBlur={commit}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") commit();
+        if (event.key === "Escape") setDraft(null);
+      }}
+    />
+  );
+}

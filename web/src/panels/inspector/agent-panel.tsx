@@ -1,0 +1,56 @@
+import { colorAgents, renameAgent } from "../../document/commands/agents";
+import { LIMITS } from "../../document/limits";
+import { agentColor, agentLabel } from "../../document/queries";
+import { mainTrack } from "../../document/scene";
+import { AgentDot } from "../agent-dot";
+import { ColorRow } from "../controls/color-row";
+import { Row } from "../controls/row";
+import { TextBox } from "../controls/text-box";
+import { useStudio } from "../studio";
+import { formatCount } from "../units";
+import { Head } from "./head";
+import { MembershipRow } from "./membership-row";
+import { PositionRow } from "./position-row";
+import { Section } from "./section";
+
+/** One agent. */
+export function AgentPanel({ agent }: { agent: number }) {
+  const { document } = useStudio();
+  const scene = document.scene.value;
+  const all = mainTrack(scene).agents;
+  const itself = all[agent];
+  if (!itself) return null;
+  const agents = new Set([agent]);
+  const color = agentColor(scene, agent);
+  return (
+    <>
+      <Head
+        kind="Agent"
+        aside={<span class="number">{`${formatCount(agent + 1)} of ${formatCount(all.length)}`}</span>}
+      >
+        <AgentDot color={color} />
+        <span class="ellipsis">{agentLabel(scene, agent)}</span>
+      </Head>
+      <Section>
+        <Row label="Name">
+          <TextBox
+            key={agent}
+            label="Name"
+            value={itself.name}
+            placeholder={agentLabel(scene, agent)}
+            maxLength={LIMITS.name}
+            onCommit={(name) => document.perform(renameAgent(agent, name))}
+          />
+        </Row>
+        <MembershipRow agents={agents} />
+        <PositionRow agents={agents} label="Position" />
+        <ColorRow
+          label="Color"
+          color={itself.color}
+          shown={color}
+          onChoose={(chosen) => document.perform(colorAgents(agents, chosen))}
+        />
+      </Section>
+    </>
+  );
+}

@@ -1,0 +1,86 @@
+import { renameKeyframe } from "../../document/commands/keyframes";
+import { retimeKeyframe, setHold } from "../../document/commands/retime";
+import { dropOwnTies } from "../../document/commands/ties";
+import { updateKeyframe } from "../../document/edit";
+import { LIMITS } from "../../document/limits";
+import { keyframeLabel } from "../../document/queries";
+import { mainTrack } from "../../document/scene";
+import type { Command } from "../../document/store";
+import { NumberBox } from "../controls/number-box";
+import { Row } from "../controls/row";
+import { Switch } from "../controls/switch";
+import { TextBox } from "../controls/text-box";
+import { useStudio } from "../studio";
+import { formatTime, parseTime } from "../units";
+import { Head } from "./head";
+import { secondsQuantity } from "./quantities";
+import { Section } from "./section";
+
+const TIME = { ...secondsQuantity(LIMITS.seconds), unit: "", format: formatTimeExactly, parse: parseTime };
+const HOLD = secondsQuantity(LIMITS.seconds);
+
+/** One formation of the show: when it is reached, how long it stands, who belongs together in it. */
+export function KeyframePanel({ index }: { index: number }) {
+  const { document } = useStudio();
+  const scene = document.scene.value;
+  const keyframes = mainTrack(scene).keyframes;
+  const keyframe = keyframes[index];
+  if (!keyframe) return null;
+  return (
+    <>
+      <Head kind="Keyframe" aside={<span class="number">{`${index + 1} of ${keyframes.length}`}</span>}>
+        <span class="ellipsis">{keyframeLabel(scene, index)}</span>
+      </Head>
+      <Section>
+        <Row label="Name">
+          <TextBox
+            key={index}
+            label="Name"
+            value={keyframe.name}
+            placeholder={keyframeLabel(scene, index)}
+            maxLength={LIMITS.name}
+            onCommit={(name) => document.perform(renameKeyframe(index, name))}
+          />
+        </Row>
+        <Row label="At">
+          <NumberBox
+            label="Keyframe time"
+            value={keyframe.time}
+            quantity={TIME}
+            onCommit={(time) => document.perform(retimeKeyframe(index, time))}
+          />
+        </Row>
+        <Row label="Hold">
+          <NumberBox
+            label="Hold"
+            value={keyframe.hold}
+            quantity={HOLD}
+            onCommit={(hold) => document.perform(setHold(index, hold))}
+          />
+        </Row>
+        <Switch
+          label="Ties of its own"
+          note="else those of the whole scene"
+          isOn={keyframe.adjacency !== null}
+          onToggle={(isOn) => document.perform(isOn ? giveOwnTies(index) : dropOwnTies(index))}
+        />
+      </Section>
+    </>
+  );
+}
+
+/** A keyframe's own ties start as those of the scene. */
+function giveOwnTies(index: number): Command {
+  return {
+    label: "Give the keyframe its own ties",
+    apply: (scene) =>
+      updateKeyframe(scene, index, (was) => (was.adjacency ? was : { ...was, adjacency: scene.adjacency })),
+  };
+}
+
+/** Hundredths and below are shown only where there are any. */
+function formatTimeExactly(seconds: number): string {
+  const tenths = formatTime(seconds);
+  const rest = Math.round((seconds - (parseTime(tenths) ?? seconds)) * 1000);
+  return rest === 0 ? tenths : `${tenths}${String(rest).padStart(2, "0")}`.replace(/0+$/, "");
+}

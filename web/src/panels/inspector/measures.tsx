@@ -1,0 +1,71 @@
+import type { ComponentChildren } from "preact";
+import { agentLabel } from "../../document/queries";
+import type { SegmentPlan } from "../../engine/api";
+import { useStudio } from "../studio";
+import { formatAngle, formatDuration, formatLength, formatNumber, formatTime } from "../units";
+import { Plot } from "./plot";
+import { Section } from "./section";
+
+/** How well a transition keeps the group together: over time, and in its worst moment. */
+export function Measures({ plan }: { plan: SegmentPlan }) {
+  const { document } = useStudio();
+  const scene = document.scene.value;
+  const { units } = scene.stage;
+  const { report, curves } = plan;
+  const { start, end } = plan.motion;
+  const span = { from: start, to: end };
+  const clearance = report.clearance;
+  const speed = report.topSpeed;
+  return (
+    <Section title="Measures" note={`over ${formatDuration(end - start)}`} isRegion>
+      {clearance && (
+        <Measure
+          label="Clearance"
+          plot={<Plot values={curves.clearance} {...span} limit={scene.minimumDistance} />}
+          value={formatLength(clearance.distance, units)}
+          unit={units}
+          worst={`at ${formatTime(clearance.time)}`}
+        />
+      )}
+      <Measure
+        label="Distortion"
+        plot={<Plot values={curves.distortion} {...span} />}
+        value={formatNumber(report.distortion.mean)}
+        worst={`max ${formatNumber(report.distortion.max)}`}
+      />
+      <Measure
+        label="Turning"
+        plot={<Plot values={curves.turning} {...span} />}
+        value={formatAngle(report.turning.mean)}
+        worst={`max ${formatAngle(report.turning.max)}`}
+      />
+      <Measure
+        label="Path length"
+        plot={<Plot values={curves.pathLength} {...span} />}
+        value={formatLength(report.pathLength.mean, units, 1)}
+        unit={units}
+        worst={`max ${formatLength(report.pathLength.max, units, 1)}`}
+      />
+      <Measure
+        label="Top speed"
+        plot={<Plot values={curves.topSpeed} {...span} />}
+        value={formatLength(speed.speed, units, 1)}
+        unit={`${units}/s`}
+        worst={`agent ${agentLabel(scene, speed.agent)}`}
+      />
+    </Section>
+  );
+}
+
+function Measure(props: { label: string; plot: ComponentChildren; value: string; unit?: string; worst: string }) {
+  return (
+    <dl class="measure">
+      <dt>{props.label}</dt>
+      <dd class="measure-plot">{props.plot}</dd>
+      <dd class="measure-value number">
+        {props.value} {props.unit && <span class="unit">{props.unit}</span>}
+        <small>{props.worst}</small>
+      </dd>
+    </dl>
+  );
+}

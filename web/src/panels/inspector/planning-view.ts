@@ -1,0 +1,38 @@
+import type { Units } from "../../document/scene";
+import type { EngineProblem, Planning, SegmentPlan } from "../../engine/api";
+import { type Status, status } from "../status";
+import { lengthWithUnit } from "../units";
+
+/** What the inspector says of a transition's motion. */
+export interface PlanningView {
+  readonly status: Status;
+  /** On the pill: the least distance, or how far planning is. */
+  readonly words: string;
+  /** The motion shown, of the scene as it is or, while planning, as it was. */
+  readonly plan: SegmentPlan | null;
+  readonly isCanceled: boolean;
+  readonly problem: EngineProblem | null;
+}
+
+export function planningView(planning: Planning | undefined, minimum: number, units: Units): PlanningView {
+  const quiet = { status: "none", plan: null, isCanceled: false, problem: null } as const;
+  switch (planning?.kind) {
+    case undefined:
+      return { ...quiet, words: "Planning" };
+    case "planning":
+      return { ...quiet, words: `Planning, ${Math.floor(planning.progress * 100)} %`, plan: planning.stale };
+    case "canceled":
+      return { ...quiet, words: "Canceled", isCanceled: true };
+    case "failed":
+      return { ...quiet, words: "Not planned", problem: planning.problem };
+    case "ready": {
+      const clearance = planning.plan.report.clearance?.distance ?? null;
+      return {
+        ...quiet,
+        status: status(clearance, minimum),
+        words: clearance === null ? "" : lengthWithUnit(clearance, units),
+        plan: planning.plan,
+      };
+    }
+  }
+}

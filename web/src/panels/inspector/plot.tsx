@@ -1,0 +1,38 @@
+import { useComputed } from "@preact/signals";
+import { useStudio } from "../studio";
+import { areaPath, belowPath, curvePath, type PlotFrame, plotY } from "./plot-path";
+
+const WIDTH = 110;
+const HEIGHT = 26;
+/** Room for the line's own width at the top and bottom. */
+const MARGIN = 3;
+
+/** A measure over a transition's time, with the playhead. A limit is dashed, and the curve below it stands out. */
+export function Plot(props: { values: Float32Array; from: number; to: number; limit?: number }) {
+  const { playback } = useStudio();
+  const { values, from, to, limit } = props;
+  const x = useComputed(() => (WIDTH * (playback.time.value - from)) / Math.max(1e-9, to - from));
+  const isNow = useComputed(() => (playback.time.value >= from && playback.time.value <= to ? "visible" : "hidden"));
+  const top = Math.max(maximum(values), limit === undefined ? 0 : limit * 1.5, 1e-9);
+  const frame: PlotFrame = { width: WIDTH, height: HEIGHT - 2 * MARGIN, low: 0, high: top };
+  const isBroken = limit !== undefined && values.some((value) => value < limit);
+  return (
+    <svg class="plot" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} preserveAspectRatio="none" aria-hidden="true">
+      <g transform={`translate(0 ${MARGIN})`}>
+        <path class="plot-area" d={areaPath(values, frame)} />
+        {limit !== undefined && limit > 0 && (
+          <path class={isBroken ? "plot-limit broken" : "plot-limit"} d={`M0 ${plotY(frame, limit)}H${WIDTH}`} />
+        )}
+        <path class="plot-line" d={curvePath(values, frame)} />
+        {isBroken && <path class="plot-broken" d={belowPath(values, frame, limit)} />}
+      </g>
+      <line class="plot-now" x1={x} x2={x} y1="0" y2={HEIGHT} visibility={isNow} />
+    </svg>
+  );
+}
+
+function maximum(values: Float32Array): number {
+  let most = 0;
+  for (const value of values) if (value > most) most = value;
+  return most;
+}

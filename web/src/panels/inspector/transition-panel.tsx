@@ -1,0 +1,38 @@
+import { keyframeLabel } from "../../document/queries";
+import { mainTrack } from "../../document/scene";
+import { StatusPill } from "../status";
+import { useStudio } from "../studio";
+import { Candidates } from "./candidates";
+import { ClashNote } from "./clash-note";
+import { Head } from "./head";
+import { Measures } from "./measures";
+import { PlanningNote } from "./planning-note";
+import { planningView } from "./planning-view";
+import { Section } from "./section";
+import { TransitionOptions } from "./transition-options";
+
+/** How one formation becomes the next, how well, and why so. */
+export function TransitionPanel({ index }: { index: number }) {
+  const { document, planner } = useStudio();
+  const scene = document.scene.value;
+  const track = mainTrack(scene);
+  const segment = track.segments[index];
+  if (!segment) return null;
+  const view = planningView(planner.segments.value[index], scene.minimumDistance, scene.stage.units);
+  return (
+    <>
+      <Head kind="Transition" aside={view.words && <StatusPill status={view.status}>{view.words}</StatusPill>}>
+        <span class="ellipsis">{keyframeLabel(scene, index)}</span>
+        <span class="arrow">→</span>
+        <span class="ellipsis">{keyframeLabel(scene, index + 1)}</span>
+      </Head>
+      <Section>
+        <TransitionOptions index={index} segment={segment} choice={view.plan?.report.choice ?? segment.chosen} />
+        <PlanningNote view={view} />
+        {view.plan && view.status === "clash" && <ClashNote report={view.plan.report} />}
+      </Section>
+      {view.plan && <Measures plan={view.plan} />}
+      {view.plan && <Candidates report={view.plan.report} isAuto={segment.method === "auto"} />}
+    </>
+  );
+}
