@@ -1,0 +1,71 @@
+import { type ReadonlySignal, signal } from "@preact/signals";
+
+/** Something to decide, in words; leaving the dialog is the last choice. */
+export interface Question {
+  readonly kind: "question";
+  readonly title: string;
+  readonly text: string;
+  readonly choices: readonly QuestionChoice[];
+}
+
+export interface QuestionChoice {
+  readonly label: string;
+  run(): void;
+}
+
+/** What went wrong, with all that is known of it. */
+export interface ProblemDetails {
+  readonly kind: "problem";
+  readonly title: string;
+  readonly text: string;
+  /** What and where, a line each. */
+  readonly details: readonly string[];
+}
+
+export type DialogRequest =
+  | { readonly kind: "share" | "examples" | "help" | "palette" | "export" }
+  | Question
+  | ProblemDetails;
+
+/** What is open over the page: one dialog at a time. */
+export interface Dialogs {
+  readonly shown: ReadonlySignal<DialogRequest | null>;
+  show(request: DialogRequest): void;
+  /** Leaves the dialog; a question takes its last choice. */
+  close(): void;
+  /** Takes a question's choice, and that alone. */
+  answer(choice: QuestionChoice): void;
+  /** Answers with the label chosen. */
+  ask(question: Omit<Question, "kind" | "choices">, labels: readonly string[]): Promise<string>;
+}
+
+export function createDialogs(): Dialogs {
+  const shown = signal<DialogRequest | null>(null);
+
+  function leave(): void {
+    const request = shown.peek();
+    shown.value = null;
+    if (request?.kind === "question") request.choices.at(-1)?.run();
+  }
+
+  const dialogs: Dialogs = {
+    shown,
+    show(request) {
+      // A question that is pushed aside is answered too, or whoever asked would wait for ever.
+      leave();
+      shown.value = request;
+    },
+    close: leave,
+    answer(choice) {
+      shown.value = null;
+      choice.run();
+    },
+    ask(question, labels) {
+      return new Promise((resolve) => {
+        const choices = labels.map((label) => ({ label, run: () => resolve(label) }));
+        dialogs.show({ kind: "question", ...question, choices });
+      });
+    },
+  };
+  return dialogs;
+}

@@ -1,0 +1,34 @@
+import "./dialogs.css";
+import "./examples.css";
+import { ExampleTile } from "./example-tile";
+import { Frame } from "./frame";
+import type { DialogProps } from "./host";
+import { useAnswer } from "./use-answer";
+
+/** Scenes to start from, each shown in motion. */
+export function ExamplesDialog({ services, dialogs }: DialogProps) {
+  const previews = useAnswer(services.loadPreviews);
+  return (
+    <Frame
+      title="Start from an example"
+      size="large"
+      lead="It opens as your own copy. Your current scene stays one undo away."
+      onClose={dialogs.close}
+    >
+      <ul class="gallery">
+        {services.examples.map((example) => (
+          <li key={example.id}>
+            <ExampleTile
+              example={example}
+              preview={(previews.kind === "here" && previews.value.get(example.id)) || null}
+              onOpen={() => {
+                dialogs.close();
+                void services.openExample(example.id);
+              }}
+            />
+          </li>
+        ))}
+      </ul>
+    </Frame>
+  );
+}

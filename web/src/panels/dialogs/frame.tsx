@@ -1,0 +1,73 @@
+import { X } from "lucide";
+import type { ComponentChildren } from "preact";
+import { useId, useLayoutEffect, useRef } from "preact/hooks";
+import { Icon } from "../../theme/icons";
+
+export interface FrameProps {
+  readonly title: ComponentChildren;
+  /** One of the sizes of dialogs.css. */
+  readonly size: "small" | "medium" | "large";
+  /** A line under the title. */
+  readonly lead?: ComponentChildren;
+  onClose(): void;
+  readonly children: ComponentChildren;
+}
+
+/** A titled dialog; a sheet from the bottom on a phone. */
+export function Frame({ title, size, lead, onClose, children }: FrameProps) {
+  const id = useId();
+  return (
+    <Modal class={`dialog is-${size}`} labelledBy={id} onClose={onClose}>
+      <header class="dialog-head">
+        <h2 id={id}>{title}</h2>
+        <button type="button" class="icon-button" aria-label="Close" onClick={onClose}>
+          <Icon node={X} />
+        </button>
+        {lead && <p class="dialog-lead">{lead}</p>}
+      </header>
+      {children}
+    </Modal>
+  );
+}
+
+export interface ModalProps {
+  readonly class: string;
+  readonly label?: string;
+  readonly labelledBy?: string;
+  onClose(): void;
+  readonly children: ComponentChildren;
+}
+
+/** The browser's own modal dialog: it keeps the focus inside and gives it back; Escape and a press beside it close. */
+export function Modal({ class: name, label, labelledBy, onClose, children }: ModalProps) {
+  const dialog = useRef<HTMLDialogElement>(null);
+  useLayoutEffect(() => {
+    const element = dialog.current;
+    element?.showModal();
+    // Closed before it leaves the page: only then does the browser return the focus.
+    return () => element?.close();
+  }, []);
+  return (
+    // biome-ignore lint/a11y/useKeyWithClickEvents: Escape is the key that closes, and the browser hears it.
+    <dialog
+      ref={dialog}
+      class={name}
+      aria-label={label}
+      aria-labelledby={labelledBy}
+      onCancel={(event) => {
+        event.preventDefault();
+        onClose();
+      }}
+      onClick={(event) => {
+        if (event.target === event.currentTarget && isBeside(event, event.currentTarget)) onClose();
+      }}
+    >
+      {children}
+    </dialog>
+  );
+}
+
+function isBeside(event: MouseEvent, element: Element): boolean {
+  const box = element.getBoundingClientRect();
+  return event.clientX < box.left || event.clientX > box.right || event.clientY < box.top || event.clientY > box.bottom;
+}
