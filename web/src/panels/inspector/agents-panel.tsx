@@ -1,10 +1,10 @@
 import { colorAgents } from "../../document/commands/agents";
 import { agentColors } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
+import { formatCount } from "../../document/units";
 import { AgentDot } from "../agent-dot";
 import { ColorRow } from "../controls/color-row";
 import { useStudio } from "../studio";
-import { formatCount } from "../units";
 import { Head } from "./head";
 import { MembershipRow } from "./membership-row";
 import { PositionRow } from "./position-row";

@@ -1,8 +1,8 @@
 import { useState } from "preact/hooks";
+import { formatAngle, formatLength, formatNumber } from "../../document/units";
 import type { SegmentReport } from "../../engine/api";
 import { status } from "../status";
 import { useStudio } from "../studio";
-import { formatAngle, formatLength, formatNumber } from "../units";
 import { allOfThem, bestOfEach, type CandidateRow } from "./candidate-rows";
 import { Section } from "./section";
 import { methodWord } from "./words";

@@ -1,9 +1,9 @@
 import { TriangleAlert } from "lucide";
 import { agentLabel } from "../../document/queries";
+import { formatTime, lengthWithUnit } from "../../document/units";
 import type { SegmentReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
 import { useStudio } from "../studio";
-import { formatTime, lengthWithUnit } from "../units";
 
 /** Who comes too near, how near and when, and the way there. */
 export function ClashNote({ report }: { report: SegmentReport }) {

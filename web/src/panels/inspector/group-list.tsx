@@ -1,9 +1,9 @@
 import { groupAt, groupSet } from "../../document/groups";
 import { groupColor, groupLabel } from "../../document/queries";
 import type { GroupPath } from "../../document/scene";
+import { formatCount } from "../../document/units";
 import { AgentDot } from "../agent-dot";
 import { useStudio } from "../studio";
-import { formatCount } from "../units";
 import { Section } from "./section";
 
 /** The groups directly within one, or the outermost ones; each leads to itself. */

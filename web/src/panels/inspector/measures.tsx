@@ -1,8 +1,8 @@
 import type { ComponentChildren } from "preact";
 import { agentLabel } from "../../document/queries";
+import { formatAngle, formatDuration, formatLength, formatNumber, formatTime } from "../../document/units";
 import type { SegmentPlan } from "../../engine/api";
 import { useStudio } from "../studio";
-import { formatAngle, formatDuration, formatLength, formatNumber, formatTime } from "../units";
 import { Plot } from "./plot";
 import { Section } from "./section";
 

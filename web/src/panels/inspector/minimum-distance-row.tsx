@@ -1,7 +1,7 @@
 import { setMinimumDistance } from "../../document/commands/scene";
+import { metersPer } from "../../document/units";
 import { QuantityRow } from "../controls/quantity-row";
 import { useStudio } from "../studio";
-import { metersPer } from "../units";
 import { lengthQuantity } from "./quantities";
 
 /** Meters that the slider reaches at least; a scene may ask for more. */

@@ -1,7 +1,7 @@
 import type { Units } from "../../document/scene";
+import { lengthWithUnit } from "../../document/units";
 import type { EngineProblem, Planning, SegmentPlan } from "../../engine/api";
 import { type Status, status } from "../status";
-import { lengthWithUnit } from "../units";
 
 /** What the inspector says of a transition's motion. */
 export interface PlanningView {

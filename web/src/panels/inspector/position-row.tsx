@@ -3,10 +3,10 @@ import { moveAgents, setPlace } from "../../document/commands/agents";
 import type { Point } from "../../document/formation";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
+import { metersPer } from "../../document/units";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
 import { useStudio } from "../studio";
-import { metersPer } from "../units";
 import { coordinateQuantity } from "./quantities";
 
 /** Where agents stand at the keyframe being edited; the middle of their box when they are several. */

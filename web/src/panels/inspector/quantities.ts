@@ -1,7 +1,7 @@
 import { LIMITS } from "../../document/limits";
 import type { Units } from "../../document/scene";
+import { formatNumber, metersPer, parseLength, parseNumber } from "../../document/units";
 import type { Quantity } from "../controls/quantity";
-import { formatNumber, metersPer, parseLength, parseNumber } from "../units";
 
 /** A length in the scene's units. */
 export function lengthQuantity(units: Units, bounds: { min: number; max: number; step: number }): Quantity {

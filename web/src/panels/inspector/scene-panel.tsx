@@ -2,12 +2,12 @@ import { setFrameRate, setStage, setTempo } from "../../document/commands/scene"
 import { setBase, WHOLE_SCENE } from "../../document/commands/ties";
 import { LIMITS } from "../../document/limits";
 import { type Backdrop, mainTrack, type Units } from "../../document/scene";
+import { metersPer } from "../../document/units";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
 import { Segmented } from "../controls/segmented";
 import { Select } from "../controls/select";
 import { useStudio } from "../studio";
-import { metersPer } from "../units";
 import { GroupList } from "./group-list";
 import { Head } from "./head";
 import { MinimumDistanceRow } from "./minimum-distance-row";
