@@ -73,6 +73,24 @@ test("a gesture that is over changes nothing any more", () => {
   expect(mainTrack(scene).keyframes[0]?.positions.point(0)).toEqual([3, 0]);
 });
 
+test("steps of one series are one entry until something else is done or undone", () => {
+  const document = documentWith([0, 0]);
+  const start = document.scene.value;
+  const nudge = { ...moveAgents(0, FIRST, [1, 0], "Nudge agents"), series: "nudge" };
+  for (let i = 0; i < 5; i += 1) document.perform(nudge);
+  document.undo();
+  expect(document.scene.value).toBe(start);
+  document.redo();
+  const nudged = document.scene.value;
+  document.perform(nudge);
+  document.perform(setTitle("Opener"));
+  document.perform(nudge);
+  document.undo();
+  document.undo();
+  document.undo();
+  expect(document.scene.value).toBe(nudged);
+});
+
 test("undo during a gesture takes back what the gesture shows, and redo brings it again", () => {
   const document = documentWith([0, 0]);
   const start = document.scene.value;

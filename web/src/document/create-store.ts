@@ -41,7 +41,7 @@ export function createDocument(initial: Scene): DocumentStore {
       },
       commit() {
         end((shown) => {
-          history.value = record(history.peek(), label, shown);
+          history.value = record(history.peek(), { label }, shown);
         });
       },
       cancel() {
@@ -84,7 +84,7 @@ export function createDocument(initial: Scene): DocumentStore {
     activeKeyframe,
     beginGesture,
     perform(command) {
-      step((past) => record(past, command.label, command.apply(past.present)));
+      step((past) => record(past, command, command.apply(past.present)));
     },
     undo() {
       step(stepBack);

@@ -3,6 +3,7 @@ import type { Scene } from "./scene";
 /** A scene one step away, with the words of the step that lies between. */
 interface Step {
   readonly label: string;
+  readonly series?: string | undefined;
   readonly scene: Scene;
 }
 
@@ -20,10 +21,12 @@ export function startHistory(scene: Scene): History {
   return { past: [], present: scene, future: [] };
 }
 
-/** The history after a step to `next`; the same history when nothing changed. */
-export function record(history: History, label: string, next: Scene): History {
+/** The history after a step to `next`; the same history when nothing changed. A step of the series at work joins it. */
+export function record(history: History, { label, series }: Omit<Step, "scene">, next: Scene): History {
   if (next === history.present) return history;
-  const past = [...history.past.slice(1 - KEPT_STEPS), { label, scene: history.present }];
+  const isContinued = series !== undefined && history.past.at(-1)?.series === series && history.future.length === 0;
+  if (isContinued) return { ...history, present: next };
+  const past = [...history.past.slice(1 - KEPT_STEPS), { label, series, scene: history.present }];
   return { past, present: next, future: [] };
 }
 

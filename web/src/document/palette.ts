@@ -16,5 +16,5 @@ export const AGENT_COLORS = [
   "#1d2a3a",
 ] as const;
 
+/** Given to groups: all but the last. */
 export const GROUP_COLORS: readonly string[] = AGENT_COLORS.slice(0, -1);
-export const UNGROUPED_COLOR: string = AGENT_COLORS[9];

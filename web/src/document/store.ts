@@ -5,6 +5,8 @@ import type { Selection } from "./selection";
 /** A change of the scene with the words a person reads beside Undo. Pure. */
 export interface Command {
   readonly label: string;
+  /** Steps of the same series that follow one another are one undo entry: presses of an arrow key. */
+  readonly series?: string;
   apply(scene: Scene): Scene;
 }
 

@@ -1,13 +1,11 @@
 import type { ReadonlySignal, Signal } from "@preact/signals";
 import type { Point } from "../document/formation";
+import type { ShapeName as Shapes } from "../shapes/shape";
+import type { Spacing as Spacings } from "../shapes/spacing";
 
 export type ToolName = "select" | "draw" | "shape" | "tie" | "group" | "pan";
-export type ShapeName = "line" | "arc" | "circle" | "ring" | "block" | "grid" | "triangle" | "star";
-
-/** How many agents a stroke or shape makes: so many, or one every so many meters. */
-export type Spacing =
-  | { readonly by: "count"; readonly count: number }
-  | { readonly by: "interval"; readonly meters: number };
+export type ShapeName = Shapes;
+export type Spacing = Spacings;
 
 /** What the handles layer draws for the tool at work, in stage meters. */
 export type Overlay =
