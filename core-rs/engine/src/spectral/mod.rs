@@ -1,1 +1,33 @@
-//! (spectral)
+//! The eigenbases of two formations' Laplacians and the rotation that takes one into the other (paper A, sections 3 and 4.2).
+//!
+//! Everything here works on the n − 1 modes beside the constant one, which only carries the barycenter.
+//! It turns graphs and coefficients into plans; it knows nothing of methods, seconds or frames.
+//!
+//! The road: [`Eigenbasis`] of each end → [`Pair`] (ties between equal eigenvalues decided) → [`Pairing`] (which mode becomes
+//! which) → [`Matched`] (signs, rotation planes) → [`Coefficients`] between the ends.
+
+mod alignment;
+mod angle;
+mod coefficients;
+mod degenerate;
+mod dense;
+mod eigenbasis;
+mod hungarian;
+mod invariant;
+mod matched;
+mod matching;
+mod maxmin;
+mod pair;
+mod planes;
+mod polar_factor;
+mod runs;
+
+pub use eigenbasis::Eigenbasis;
+
+pub(crate) use alignment::turn_between;
+pub(crate) use coefficients::Coefficients;
+pub(crate) use degenerate::{is_degenerate, nearness, with_tie_break};
+pub(crate) use dense::product_into;
+pub(crate) use matched::Matched;
+pub(crate) use matching::Pairing;
+pub(crate) use pair::Pair;

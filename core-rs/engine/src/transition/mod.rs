@@ -3,7 +3,18 @@
 //! A method is planned once from two formations and their ties, then evaluated at as many instants as anyone asks for.
 //! It knows nothing of seconds, scenes or frames.
 
+mod ends;
+mod linear;
+mod modal;
+mod planner;
+mod polar;
+mod shared;
+mod spectral;
+
 use glam::DVec2;
+
+pub use ends::{End, Ends};
+pub use planner::{Planner, plan};
 
 /// A planned way from a source formation to a target formation.
 pub trait Transition {

@@ -1,0 +1,88 @@
+//! How the coefficients of the modes, or the places of agents about their barycenter, run between two ends.
+
+use glam::DVec2;
+
+use super::angle::wrap;
+
+/// Radii at most this, relative to the greatest, have no direction.
+const TINY_RADIUS: f64 = 1e-7;
+
+/// One curve a mode in polar coordinates: radii linear, angles along the shorter way once the common turn is taken out
+/// (paper A, equation 4).
+#[derive(Clone, Debug)]
+pub(crate) struct Coefficients {
+    curves: Vec<Curve>,
+    sizes: Option<[f64; 2]>,
+}
+
+#[derive(Clone, Debug)]
+struct Curve {
+    radii: [f64; 2],
+    angle: f64,
+    turn: f64,
+    residuals: [DVec2; 2],
+}
+
+impl Coefficients {
+    /// Curves from `source` to `target`, of equal length, with the common `turn` in radians.
+    pub(crate) fn between(source: &[DVec2], target: &[DVec2], turn: f64) -> Self {
+        assert_eq!(source.len(), target.len(), "both ends have the same modes");
+        let greatest = source.iter().chain(target).map(|c| c.length()).fold(0.0, f64::max);
+        let curves = source.iter().zip(target).map(|(from, to)| Curve::between(*from, *to, turn, TINY_RADIUS * greatest)).collect();
+        Self { curves, sizes: None }
+    }
+
+    /// The same, scaled at every t so that the root of the summed squares runs linearly too.
+    pub(crate) fn keeping_size(self) -> Self {
+        let size = |t: f64| self.curves.iter().map(|curve| curve.at(t).length_squared()).sum::<f64>().sqrt();
+        Self { sizes: Some([size(0.0), size(1.0)]), ..self }
+    }
+
+    /// Writes the coefficients at every `t` in 0..1: for each t a column of all x, then a column of all y.
+    pub(crate) fn write_columns(&self, ts: &[f64], columns: &mut [f64]) {
+        let mode_count = self.curves.len();
+        assert_eq!(columns.len(), 2 * mode_count * ts.len(), "two columns for every t");
+        for (k, t) in ts.iter().enumerate() {
+            let (x, y) = columns[2 * mode_count * k..][..2 * mode_count].split_at_mut(mode_count);
+            self.write_at(*t, x, y);
+        }
+    }
+
+    fn write_at(&self, t: f64, x: &mut [f64], y: &mut [f64]) {
+        let mut squares = 0.0;
+        for ((curve, x), y) in self.curves.iter().zip(x.iter_mut()).zip(y.iter_mut()) {
+            let at = curve.at(t);
+            squares += at.length_squared();
+            (*x, *y) = (at.x, at.y);
+        }
+        if let Some([from, to]) = self.sizes
+            && squares > 0.0
+        {
+            let scale = ((1.0 - t) * from + t * to) / squares.sqrt();
+            x.iter_mut().chain(y).for_each(|entry| *entry *= scale);
+        }
+    }
+}
+
+impl Curve {
+    fn between(from: DVec2, to: DVec2, common: f64, tiny: f64) -> Self {
+        let radii = [from.length(), to.length()];
+        let (mut angle, end) = (from.to_angle(), to.to_angle());
+        let mut turn = common + wrap(end - angle - common);
+        if radii[0] <= tiny || radii[1] <= tiny {
+            turn = common;
+            if radii[0] <= tiny {
+                angle = end - common;
+            }
+        }
+        let mut curve = Self { radii, angle, turn, residuals: [DVec2::ZERO; 2] };
+        // What a direction of noise leaves open at the ends; round-off elsewhere.
+        curve.residuals = [from - curve.at(0.0), to - curve.at(1.0)];
+        curve
+    }
+
+    fn at(&self, t: f64) -> DVec2 {
+        let radius = (1.0 - t) * self.radii[0] + t * self.radii[1];
+        radius * DVec2::from_angle(self.angle + t * self.turn) + (1.0 - t) * self.residuals[0] + t * self.residuals[1]
+    }
+}

@@ -1,0 +1,100 @@
+//! Dense linear algebra on one thread: the only file that calls faer's kernels.
+
+use faer::diag::Diag;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch};
+use faer::linalg::matmul::matmul;
+use faer::prelude::default;
+use faer::{Accum, Mat, MatMut, MatRef, Par, Scale};
+
+/// A symmetric matrix as eigenvalues, ascending, and orthonormal eigenvectors, a column each.
+pub(super) struct SymmetricEigen {
+    pub(super) values: Vec<f64>,
+    pub(super) vectors: Mat<f64>,
+}
+
+/// The eigendecomposition of a symmetric matrix, of which only the lower triangle is read.
+///
+/// # Panics
+/// When an entry is not finite: a bug, since the document refuses such numbers.
+pub(super) fn symmetric_eigen(matrix: MatRef<'_, f64>) -> SymmetricEigen {
+    let size = matrix.nrows();
+    // faer's tridiagonalization takes size − 1 reflectors for granted.
+    if size == 0 {
+        return SymmetricEigen { values: Vec::new(), vectors: Mat::zeros(0, 0) };
+    }
+    if size == 1 {
+        return SymmetricEigen { values: vec![matrix[(0, 0)]], vectors: Mat::identity(1, 1) };
+    }
+    // faer's divide and conquer compares entries of the matrix with those of unit vectors, so a matrix far from 1 loses digits
+    // (all of them below 1e-16). A power of two changes no digit itself.
+    let unit = power_of_two_near(matrix.norm_max());
+    let scaled = matrix * Scale(unit.recip());
+    let mut values = Diag::zeros(size);
+    let mut vectors = Mat::zeros(size, size);
+    let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(size, ComputeEigenvectors::Yes, Par::Seq, default()));
+    self_adjoint_evd(scaled.as_ref(), values.as_mut(), Some(vectors.as_mut()), Par::Seq, MemStack::new(&mut memory), default())
+        .expect("a finite symmetric matrix has an eigendecomposition");
+    SymmetricEigen { values: values.column_vector().iter().map(|value| value * unit).collect(), vectors }
+}
+
+/// 1 for zero.
+fn power_of_two_near(value: f64) -> f64 {
+    if value == 0.0 { 1.0 } else { value.log2().round().clamp(-1000.0, 1000.0).exp2() }
+}
+
+/// left · right.
+pub(super) fn product(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> Mat<f64> {
+    let mut out = Mat::zeros(left.nrows(), right.ncols());
+    product_into(out.as_mut(), left, right);
+    out
+}
+
+/// out = left · right.
+pub(crate) fn product_into(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+    matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
+}
+
+/// The symmetric part (matrix + matrixᵀ)/2.
+pub(super) fn symmetric_part(matrix: MatRef<'_, f64>) -> Mat<f64> {
+    Mat::from_fn(matrix.nrows(), matrix.ncols(), |row, column| f64::midpoint(matrix[(row, column)], matrix[(column, row)]))
+}
+
+/// The skew part (matrix − matrixᵀ)/2.
+pub(super) fn skew_part(matrix: MatRef<'_, f64>) -> Mat<f64> {
+    Mat::from_fn(matrix.nrows(), matrix.ncols(), |row, column| 0.5 * (matrix[(row, column)] - matrix[(column, row)]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn eigenvectors_are_as_good_at_every_scale() {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        // 200 is above the size where faer divides and conquers.
+        for size in [1, 2, 3, 40, 200] {
+            let random = symmetric_part(Mat::from_fn(size, size, |_, _| next()).as_ref());
+            for scale in [1e-160, 1e-30, 1e-10, 1e-3, 1.0, 1e5, 1e150] {
+                let matrix = &random * Scale(scale);
+                let SymmetricEigen { values, vectors } = symmetric_eigen(matrix.as_ref());
+                let stretched = Mat::from_fn(size, size, |row, column| vectors[(row, column)] * values[column]);
+                // Backward stability: a small multiple of eps times the norm, which grows with the size.
+                let tolerance = 4.0 * f64::EPSILON * size as f64;
+                assert!((&matrix * &vectors - stretched).norm_max() <= tolerance * scale, "size {size}, scale {scale:e}");
+                assert!((vectors.transpose() * &vectors - Mat::<f64>::identity(size, size)).norm_max() <= tolerance);
+            }
+        }
+    }
+
+    #[test]
+    fn a_matrix_of_zeros_has_the_axes() {
+        let eigen = symmetric_eigen(Mat::zeros(150, 150).as_ref());
+        assert!(eigen.values.iter().all(|value| *value == 0.0));
+        assert!((eigen.vectors.transpose() * &eigen.vectors - Mat::<f64>::identity(150, 150)).norm_max() < 1e-15);
+    }
+}

@@ -1,0 +1,98 @@
+//! Two bases with every mode paired and every sign fixed, and the rotation between them taken apart.
+
+use faer::{Mat, MatRef};
+use glam::DVec2;
+
+use super::dense::product;
+use super::matching::{EQUAL_LIKENESS, Pairing};
+use super::pair::Pair;
+use super::planes::Planes;
+
+/// Inner products below this have no sign of their own: symmetric formations make them exactly zero up to round-off.
+const NO_SIGN: f64 = 1e-9;
+
+/// The rotation R of paper A, equation 2, ready to be taken to any power.
+#[derive(Clone, Debug)]
+pub(crate) struct Matched {
+    planes: Planes,
+    modes_in_planes: Mat<f64>,
+    source_coefficients: Vec<DVec2>,
+    target_coefficients: Vec<DVec2>,
+}
+
+impl Matched {
+    /// Which target modes are reversed before they are matched, after `turn` (radians) is taken out of the target.
+    ///
+    /// Only where an inner product is zero does the turn matter; alignments that reverse the same modes share a [`Matched`].
+    pub(crate) fn reversals(pair: &Pair, pairing: &Pairing, turn: f64) -> Vec<bool> {
+        let back = DVec2::from_angle(-turn);
+        pairing
+            .targets()
+            .iter()
+            .enumerate()
+            .map(|(source, &target)| {
+                let likeness = pair.likeness()[(source, target)];
+                if likeness.abs() < NO_SIGN {
+                    pair.source_coefficients()[source].dot(back.rotate(pair.target_coefficients()[target])) < 0.0
+                } else {
+                    likeness < 0.0
+                }
+            })
+            .collect()
+    }
+
+    /// Matches the bases and finds the rotation planes, in O(n³). `reversals` come from [`Self::reversals`].
+    ///
+    /// A rotation by degrees needs determinant +1: where it is −1 the target mode least like its source is reversed once more.
+    pub(crate) fn new(pair: &Pair, pairing: &Pairing, mut reversals: Vec<bool>) -> Self {
+        let mut rotation = paired(pair.likeness(), pairing.targets(), &reversals);
+        if !reversals.is_empty() && rotation.determinant() < 0.0 {
+            let mode = least_like(pair.likeness(), pairing.targets());
+            reversals[mode] = !reversals[mode];
+            rotation.col_mut(mode).iter_mut().for_each(|entry| *entry = -*entry);
+        }
+        let planes = Planes::of(rotation.as_ref());
+        let modes_in_planes = product(pair.source_modes(), planes.basis());
+        let target_coefficients = pairing
+            .targets()
+            .iter()
+            .zip(&reversals)
+            .map(
+                |(&target, &is_reversed)| {
+                    if is_reversed { -pair.target_coefficients()[target] } else { pair.target_coefficients()[target] }
+                },
+            )
+            .collect();
+        Self { planes, modes_in_planes, source_coefficients: pair.source_coefficients().to_vec(), target_coefficients }
+    }
+
+    /// The planes in which the source modes turn into the target modes.
+    pub(crate) fn planes(&self) -> &Planes {
+        &self.planes
+    }
+
+    /// The source modes in the coordinates of the planes, agents × modes.
+    pub(crate) fn modes_in_planes(&self) -> MatRef<'_, f64> {
+        self.modes_in_planes.as_ref()
+    }
+
+    /// The source in its modes turned by `fraction` of the rotation, and the target in the same share of the way back.
+    ///
+    /// With fraction ρ/2 only the power 1 − ρ remains between the two bases.
+    pub(crate) fn coefficients_shared(&self, fraction: f64) -> [Vec<DVec2>; 2] {
+        [self.planes.turned(&self.source_coefficients, -fraction), self.planes.turned(&self.target_coefficients, fraction)]
+    }
+}
+
+fn paired(likeness: MatRef<'_, f64>, targets: &[usize], reversals: &[bool]) -> Mat<f64> {
+    Mat::from_fn(targets.len(), targets.len(), |row, column| {
+        let entry = likeness[(row, targets[column])];
+        if reversals[column] { -entry } else { entry }
+    })
+}
+
+fn least_like(likeness: MatRef<'_, f64>, targets: &[usize]) -> usize {
+    let amounts: Vec<f64> = targets.iter().enumerate().map(|(source, &target)| likeness[(source, target)].abs()).collect();
+    let least = amounts.iter().copied().fold(f64::INFINITY, f64::min);
+    amounts.iter().position(|amount| *amount <= least + EQUAL_LIKENESS).unwrap_or(0)
+}

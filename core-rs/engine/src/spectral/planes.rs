@@ -1,0 +1,197 @@
+//! A rotation taken apart into the planes in which it turns.
+//!
+//! Only symmetric eigenproblems are solved: a general eigensolver loses half the digits where angles repeat.
+
+use std::f64::consts::PI;
+
+use faer::{Mat, MatRef};
+use glam::DVec2;
+
+use super::dense::{product, symmetric_eigen, symmetric_part};
+use super::invariant::{Block, split};
+use super::runs::runs;
+
+/// Cosines nearer than this are taken together: the symmetric part cannot tell their planes apart (round-off is eps over the
+/// gap), the skew part can.
+const EQUAL_COSINES: f64 = 1e-8;
+
+/// A rotation Q = Z Θ Zᵀ: Z orthogonal, Θ turning pairs of coordinates.
+#[derive(Clone, Debug)]
+pub(crate) struct Planes {
+    basis: Mat<f64>,
+    /// In (0, π], one a plane.
+    angles: Vec<f64>,
+}
+
+impl Planes {
+    /// Takes an orthogonal matrix of determinant +1 apart, in O(n³).
+    ///
+    /// Directions that are reversed pair up, as they appear, into half turns.
+    ///
+    /// # Panics
+    /// When the determinant is −1: a bug, the matching makes it +1.
+    pub(crate) fn of(rotation: MatRef<'_, f64>) -> Self {
+        let size = rotation.nrows();
+        let eigen = symmetric_eigen(symmetric_part(rotation).as_ref());
+        let image = product(rotation, eigen.vectors.as_ref());
+        let mut angles = Vec::new();
+        let mut turning = Vec::new();
+        let mut reversed = Vec::new();
+        let mut fixed = Vec::new();
+        // Columns of `found` in the order of the runs; the lists say which are what.
+        let mut found = Mat::zeros(size, size);
+        for run in runs(&eigen.values, EQUAL_COSINES) {
+            let own = eigen.vectors.subcols(run.start, run.len());
+            let restricted = product(own.transpose(), image.subcols(run.start, run.len()));
+            let parts = split(restricted.as_ref());
+            found.subcols_mut(run.start, run.len()).copy_from(product(own, parts.basis.as_ref()));
+            let mut column = run.start;
+            for block in parts.blocks {
+                match block {
+                    Block::Fixed => fixed.push(column),
+                    Block::Reversed => reversed.push(column),
+                    Block::Plane(angle) => {
+                        angles.push(angle);
+                        turning.extend([column, column + 1]);
+                    }
+                }
+                column += block.dimension();
+            }
+        }
+        assert!(reversed.len().is_multiple_of(2), "a rotation reverses an even number of directions");
+        angles.extend(std::iter::repeat_n(PI, reversed.len() / 2));
+        let columns: Vec<usize> = turning.into_iter().chain(reversed).chain(fixed).collect();
+        Self { basis: Mat::from_fn(size, size, |row, column| found[(row, columns[column])]), angles }
+    }
+
+    /// Z: columns 2j and 2j + 1 span plane j; the columns after the last plane stay where they are.
+    pub(crate) fn basis(&self) -> MatRef<'_, f64> {
+        self.basis.as_ref()
+    }
+
+    /// Turns columns of coordinates in the planes by `power` of the rotation, in place; they lie one after the other.
+    pub(crate) fn turn(&self, power: f64, columns: &mut [f64]) {
+        let size = self.basis.ncols();
+        for (plane, angle) in self.angles.iter().enumerate() {
+            let (sin, cos) = (power * angle).sin_cos();
+            for start in (2 * plane..columns.len()).step_by(size) {
+                let (x, y) = (columns[start], columns[start + 1]);
+                (columns[start], columns[start + 1]) = (x * cos - y * sin, x * sin + y * cos);
+            }
+        }
+    }
+
+    /// Coordinates in the modes, a row each, turned by `power` of the rotation.
+    pub(super) fn turned(&self, coordinates: &[DVec2], power: f64) -> Vec<DVec2> {
+        let rows = Mat::from_fn(coordinates.len(), 2, |row, column| coordinates[row][column]);
+        let within = product(self.basis.transpose(), rows.as_ref());
+        let mut columns: Vec<f64> = (0..2).flat_map(|column| within.col(column).iter().copied()).collect();
+        self.turn(power, &mut columns);
+        let turned = product(self.basis.as_ref(), MatRef::from_column_major_slice(&columns, coordinates.len(), 2));
+        (0..coordinates.len()).map(|row| DVec2::new(turned[(row, 0)], turned[(row, 1)])).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    fn numbers(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed;
+        move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        }
+    }
+
+    fn orthogonal(size: usize, seed: u64) -> Mat<f64> {
+        let mut next = numbers(seed);
+        let random = Mat::from_fn(size, size, |_, _| next() - 0.5);
+        symmetric_eigen(random.as_ref()).vectors
+    }
+
+    /// A rotation with the given angles in planes at random; a lone last direction stays.
+    fn rotation(size: usize, angles: &[f64], seed: u64) -> Mat<f64> {
+        let basis = orthogonal(size, seed);
+        let mut turned = basis.clone();
+        for (plane, angle) in angles.iter().enumerate() {
+            let (sin, cos) = angle.sin_cos();
+            for row in 0..size {
+                let (v, w) = (basis[(row, 2 * plane)], basis[(row, 2 * plane + 1)]);
+                turned[(row, 2 * plane)] = v * cos + w * sin;
+                turned[(row, 2 * plane + 1)] = w * cos - v * sin;
+            }
+        }
+        product(turned.as_ref(), basis.transpose())
+    }
+
+    fn power(planes: &Planes, power: f64) -> Mat<f64> {
+        let size = planes.basis().nrows();
+        let mut columns: Vec<f64> =
+            planes.basis().transpose().to_owned().col_iter().flat_map(|c| c.iter().copied().collect::<Vec<_>>()).collect();
+        planes.turn(power, &mut columns);
+        product(planes.basis(), MatRef::from_column_major_slice(&columns, size, size))
+    }
+
+    fn check(name: &str, angles: &[f64], size: usize) {
+        let matrix = rotation(size, angles, 11 + size as u64);
+        let planes = Planes::of(matrix.as_ref());
+        // Orthogonality of Z and the runs' cuts cost some n · eps; 1e-10 is what the ends of a 1 km formation bear.
+        let error = (power(&planes, 1.0) - &matrix).norm_max();
+        assert!(error < 1e-11, "{name} n={size}: off by {error:e}");
+        let orthogonality = (planes.basis().transpose() * planes.basis() - Mat::<f64>::identity(size, size)).norm_max();
+        assert!(orthogonality < 1e-12, "{name} n={size}: Z off by {orthogonality:e}");
+        assert!(planes.angles.iter().all(|angle| (0.0..=PI).contains(angle)), "{name}");
+        let half = power(&planes, 0.5);
+        assert!((&half * &half - &matrix).norm_max() < 1e-11, "{name} n={size}: the root squared");
+        let mut expected: Vec<f64> = angles.iter().map(|a| (a - TAU * (a / TAU).round()).abs()).filter(|a| *a > 1e-11).collect();
+        let mut found: Vec<f64> = planes.angles.iter().copied().filter(|a| *a > 1e-11).collect();
+        expected.sort_by(f64::total_cmp);
+        found.sort_by(f64::total_cmp);
+        assert_eq!(expected.len(), found.len(), "{name} n={size}: number of planes");
+        for (expected, found) in expected.iter().zip(&found) {
+            assert!((expected - found).abs() < 1e-11, "{name} n={size}: {found} for {expected}");
+        }
+    }
+
+    #[test]
+    fn a_rotation_is_the_product_of_its_planes_whatever_its_angles() {
+        for size in [2, 3, 4, 5, 8, 13, 30, 61, 200] {
+            let count = size / 2;
+            let each = |f: &dyn Fn(f64) -> f64| (0..count).map(|k| f((k as f64 + 0.5) / count as f64)).collect::<Vec<f64>>();
+            check("spread", &each(&|u| PI * u), size);
+            check("both ways", &each(&|u| PI * (2.0 * u - 1.0)), size);
+            check("identity", &[], size);
+            check("one small turn", &[1e-6], size);
+            check("tiny", &each(&|u| 1e-5 * u), size);
+            check("graded", &each(&|u| 10.0_f64.powf(-11.0 * u)), size);
+            check("near half turns", &each(&|u| PI - 1e-5 * u), size);
+            check("graded half turns", &each(&|u| PI - 10.0_f64.powf(-11.0 * u)), size);
+            check("half turns", &each(&|_| PI), size);
+            check("all the same", &each(&|_| 1.25), size);
+            check("quarter turns", &each(&|_| PI / 2.0), size);
+            check("three kinds", &each(&|u| [0.0, TAU / 3.0, PI][(3.0 * u) as usize]), size);
+            check("nearly the same", &each(&|u| 0.7 + 1e-8 * u), size);
+            check("nearly quarter turns", &each(&|u| PI / 2.0 + 1e-8 * u), size);
+            check("nearly quarter turns, nearer", &each(&|u| PI / 2.0 + 1e-12 * u), size);
+        }
+    }
+
+    #[test]
+    fn a_reversed_pair_is_a_half_turn() {
+        let mut matrix: Mat<f64> = Mat::identity(5, 5);
+        matrix[(1, 1)] = -1.0;
+        matrix[(3, 3)] = -1.0;
+        assert_eq!(Planes::of(matrix.as_ref()).angles, [PI]);
+    }
+
+    #[test]
+    #[should_panic(expected = "even number")]
+    fn a_reflection_is_no_rotation() {
+        let mut matrix: Mat<f64> = Mat::identity(3, 3);
+        matrix[(0, 0)] = -1.0;
+        Planes::of(matrix.as_ref());
+    }
+}

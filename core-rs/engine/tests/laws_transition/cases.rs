@@ -1,0 +1,176 @@
+//! Pairs of formations that break careless code, every choice there is, and how far apart two motions are.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use eigenform::adjacency::{AdjacencySpec, build};
+use eigenform::choice::{Alignment, Choice, MethodName, Order};
+use eigenform::formation::Formation;
+use eigenform::transition::{End, Ends, Planner};
+use glam::DVec2;
+
+pub const ORDERS: [Order; 4] = [Order::Eigenvalue, Order::Greedy, Order::Maxmin, Order::Hungarian];
+pub const ALIGNMENTS: [Alignment; 3] = [Alignment::None, Alignment::Pca, Alignment::Procrustes];
+pub const SHARINGS: [f64; 3] = [0.0, 0.5, 1.0];
+
+/// Two formations of the same agents and what makes them hard.
+#[derive(Clone, Debug)]
+pub struct Case {
+    pub name: String,
+    pub source: Vec<DVec2>,
+    pub target: Vec<DVec2>,
+    pub spec: AdjacencySpec,
+}
+
+impl Case {
+    pub fn new(name: impl Into<String>, source: Vec<DVec2>, target: Vec<DVec2>) -> Self {
+        Self { name: name.into(), source, target, spec: AdjacencySpec::default() }
+    }
+
+    pub fn extent(&self) -> f64 {
+        Formation::new(self.source.clone()).extent().max(Formation::new(self.target.clone()).extent())
+    }
+
+    pub fn ends(&self) -> Ends {
+        let end = |positions: &[DVec2]| {
+            let formation = Formation::new(positions.to_vec());
+            let adjacency = build(&formation, &self.spec, &[]).expect("few ties");
+            End { formation: Arc::new(formation), adjacency: Arc::new(adjacency), basis: None }
+        };
+        Ends::new(end(&self.source), end(&self.target))
+    }
+}
+
+/// Every method with every option that it knows.
+pub fn choices() -> Vec<Choice> {
+    let plain = |method, alignment| Choice { method, order: Order::Greedy, alignment, sharing: 0.0 };
+    let mut all = vec![plain(MethodName::Linear, Alignment::None)];
+    for alignment in ALIGNMENTS {
+        all.extend([plain(MethodName::Polar, alignment), plain(MethodName::Shared, alignment)]);
+        for order in ORDERS {
+            all.extend(SHARINGS.map(|sharing| Choice { method: MethodName::Spectral, order, alignment, sharing }));
+        }
+    }
+    all
+}
+
+/// Positions at each t, one row a t.
+pub fn motion(planner: &mut Planner, choice: &Choice, keep_size: bool, ts: &[f64]) -> Vec<Vec<DVec2>> {
+    let transition = planner.plan(choice, keep_size);
+    let agent_count = transition.agent_count();
+    let mut out = vec![DVec2::NAN; agent_count * ts.len()];
+    transition.evaluate_into(ts, &mut out);
+    (0..ts.len()).map(|k| out[k * agent_count..][..agent_count].to_vec()).collect()
+}
+
+pub fn farthest(p: &[DVec2], q: &[DVec2]) -> f64 {
+    assert_eq!(p.len(), q.len());
+    p.iter().zip(q).map(|(p, q)| if p.is_finite() && q.is_finite() { p.distance(*q) } else { f64::INFINITY }).fold(0.0, f64::max)
+}
+
+pub fn ring(count: usize, radius: f64, start: f64) -> Vec<DVec2> {
+    (0..count).map(|i| DVec2::from_angle(start + TAU * i as f64 / count as f64) * radius).collect()
+}
+
+pub fn grid(columns: usize, rows: usize) -> Vec<DVec2> {
+    (0..columns * rows).map(|i| DVec2::new((i % columns) as f64, (i / columns) as f64)).collect()
+}
+
+pub fn line(count: usize, step: DVec2) -> Vec<DVec2> {
+    (0..count).map(|i| step * i as f64).collect()
+}
+
+/// Agents at random in a square of 20 m, the same for the same seed.
+pub fn scattered(count: usize, seed: u64) -> Vec<DVec2> {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+    let mut next = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64 * 20.0 - 10.0
+    };
+    (0..count).map(|_| DVec2::new(next(), next())).collect()
+}
+
+pub fn turned(points: &[DVec2], angle: f64) -> Vec<DVec2> {
+    points.iter().map(|p| DVec2::from_angle(angle).rotate(*p)).collect()
+}
+
+/// No symmetry at either end: every law holds without exception.
+pub fn generic() -> Vec<Case> {
+    let mut all: Vec<Case> = [3, 4, 5, 9, 16, 25, 40]
+        .into_iter()
+        .map(|count| Case::new(format!("scattered {count}"), scattered(count, 1), scattered(count, 2)))
+        .collect();
+    let from = scattered(20, 3);
+    let noise = scattered(20, 4);
+    let to = turned(&from, 0.8).into_iter().zip(noise).map(|(p, q)| p + 0.05 * q).collect();
+    all.push(Case::new("a turned copy, shaken", from, to));
+    let blocks = |centers: [DVec2; 3]| {
+        centers.iter().zip(5..).flat_map(|(c, seed)| scattered(6, seed).into_iter().map(move |p| *c + 0.2 * p)).collect()
+    };
+    let [a, b, c] = [DVec2::new(0.0, 0.0), DVec2::new(15.0, 2.0), DVec2::new(6.0, 14.0)];
+    all.push(Case::new("three blocks change places", blocks([a, b, c]), blocks([b, c, a])));
+    all
+}
+
+/// Symmetric at one end or both: eigenvalues repeat.
+pub fn symmetric() -> Vec<Case> {
+    vec![
+        Case::new("ring of 12 to a block", ring(12, 6.0, 0.1), grid(4, 3)),
+        Case::new("block to ring of 12", grid(4, 3), ring(12, 6.0, 0.1)),
+        Case::new("ring of 12 to a line", ring(12, 6.0, 0.3), line(12, DVec2::new(1.0, 0.2))),
+        Case::new("square block to a scatter", grid(5, 5), scattered(25, 9)),
+        Case::new(
+            "square block to a square block, sheared",
+            grid(4, 4),
+            grid(4, 4).iter().map(|p| DVec2::new(p.x + 0.5 * p.y, p.y)).collect(),
+        ),
+    ]
+}
+
+/// What people do by accident.
+pub fn degenerate() -> Vec<Case> {
+    let here = DVec2::new(3.0, -2.0);
+    let mut twins = scattered(9, 11);
+    twins[4] = twins[2];
+    let mut cut = Case::new("no ties at all", scattered(8, 12), scattered(8, 13));
+    cut.spec.base = eigenform::adjacency::Base::None;
+    let mut pieces = Case::new("three pieces", scattered(9, 14), scattered(9, 15));
+    pieces.spec.base = eigenform::adjacency::Base::None;
+    pieces.spec.ties = vec![(0, 1, 1.0), (1, 2, 2.0), (3, 4, 1.0), (4, 5, 1.0), (6, 7, 1.0), (7, 8, 3.0)];
+    vec![
+        Case::new("nobody", vec![], vec![]),
+        Case::new("one agent", vec![here], vec![-here]),
+        Case::new("two agents", vec![here, DVec2::ZERO], vec![DVec2::new(1.0, 1.0), DVec2::new(5.0, 1.5)]),
+        Case::new("two agents change places", vec![here, -here], vec![-here, here]),
+        Case::new("all in one place", vec![here; 7], vec![-here; 7]),
+        Case::new("from one place", vec![here; 7], scattered(7, 16)),
+        Case::new("into one place", scattered(7, 17), vec![here; 7]),
+        Case::new("twins", twins.clone(), scattered(9, 18)),
+        Case::new("to twins", scattered(9, 18), twins),
+        Case::new("line to line", line(9, DVec2::new(1.0, 0.0)), line(9, DVec2::new(0.3, 1.1))),
+        Case::new("line to its reverse", line(9, DVec2::X), line(9, DVec2::X).into_iter().rev().collect()),
+        Case::new("identical", grid(3, 3), grid(3, 3)),
+        Case::new("a half turn", scattered(12, 19), turned(&scattered(12, 19), std::f64::consts::PI)),
+        Case::new("a half turn of a ring", ring(12, 6.0, 0.0), ring(12, 6.0, std::f64::consts::PI)),
+        Case::new("a mirror image", scattered(12, 20), scattered(12, 20).iter().map(|p| DVec2::new(-p.x, p.y)).collect()),
+        Case::new("very large", scattered(10, 21).iter().map(|p| *p * 1e4).collect(), scattered(10, 22).iter().map(|p| *p * 1e4).collect()),
+        Case::new(
+            "very small",
+            scattered(10, 21).iter().map(|p| *p * 1e-6).collect(),
+            scattered(10, 22).iter().map(|p| *p * 1e-6).collect(),
+        ),
+        Case::new(
+            "small among large",
+            scattered(10, 21).iter().map(|p| *p * 1e-3).collect(),
+            scattered(10, 22).iter().map(|p| *p * 1e3).collect(),
+        ),
+        cut,
+        pieces,
+    ]
+}
+
+pub fn all_cases() -> Vec<Case> {
+    [generic(), symmetric(), degenerate()].concat()
+}
