@@ -18,3 +18,4 @@ export const AGENT_COLORS = [
 
 /** Given to groups: all but the last. */
 export const GROUP_COLORS: readonly string[] = AGENT_COLORS.slice(0, -1);
+export const UNGROUPED_COLOR: string = AGENT_COLORS[9];

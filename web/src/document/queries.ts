@@ -1,4 +1,5 @@
-import { groupAt, groupSet } from "./groups";
+import { groupAt, groupOf, groupPaths, groupSet } from "./groups";
+import { GROUP_COLORS, UNGROUPED_COLOR } from "./palette";
 import { type GroupPath, mainTrack, type Scene } from "./scene";
 import type { Selection } from "./selection";
 
@@ -13,6 +14,33 @@ export function keyframeLabel(scene: Scene, keyframe: number): string {
 
 export function groupLabel(scene: Scene, path: GroupPath): string {
   return groupAt(scene.groups, path)?.name || `Group ${path.map((step) => step + 1).join(".")}`;
+}
+
+/** As stored: `#rrggbb`; a group without one has the next of the palette. */
+export function groupColor(scene: Scene, path: GroupPath): string {
+  const own = groupAt(scene.groups, path)?.color;
+  if (own) return own;
+  const place = groupPaths(scene.groups).findIndex((other) => other.join() === path.join());
+  return GROUP_COLORS[Math.max(0, place) % GROUP_COLORS.length] ?? UNGROUPED_COLOR;
+}
+
+/** As stored: `#rrggbb`; an agent without one has its group's. */
+export function agentColor(scene: Scene, agent: number): string {
+  const own = mainTrack(scene).agents[agent]?.color;
+  if (own) return own;
+  const path = groupOf(scene.groups, agent);
+  return path ? groupColor(scene, path) : UNGROUPED_COLOR;
+}
+
+/** The color of every agent, by agent index; one pass over the groups. */
+export function agentColors(scene: Scene): readonly string[] {
+  const colors = mainTrack(scene).agents.map((agent) => agent.color);
+  groupPaths(scene.groups).forEach((path, place) => {
+    const group = groupAt(scene.groups, path);
+    const color = group?.color || (GROUP_COLORS[place % GROUP_COLORS.length] ?? UNGROUPED_COLOR);
+    for (const member of group?.members ?? []) colors[member] ||= color;
+  });
+  return colors.map((color) => color || UNGROUPED_COLOR);
 }
 
 const NOBODY: ReadonlySet<number> = new Set();
