@@ -1,1 +1,98 @@
-//! (motion)
+//! Where everybody is over time.
+//!
+//! A [`Motion`] is samples and nothing else: it knows neither scenes nor methods, and between samples agents move straight.
+
+mod closest;
+mod pair_grid;
+
+use glam::DVec2;
+
+pub use closest::{Approach, approaches};
+pub use pair_grid::PairGrid;
+
+/// Sample times nearer than this are one, seconds: round-off of frame / frame rate, far below any frame.
+const SAME_INSTANT: f64 = 1e-9;
+
+/// Positions of all agents at rising times.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    times: Vec<f64>,
+    agent_count: usize,
+    positions: Vec<DVec2>,
+}
+
+impl Motion {
+    /// `positions[k * agent_count + i]` is agent i at `times[k]`; seconds, meters.
+    ///
+    /// # Panics
+    /// When times do not ascend or the positions are not so many: a bug, not input.
+    pub fn new(times: Vec<f64>, agent_count: usize, positions: Vec<DVec2>) -> Self {
+        assert!(times.is_sorted_by(|a, b| a < b), "samples ascend in time");
+        assert_eq!(positions.len(), times.len() * agent_count, "every agent has a position at every sample");
+        Self { times, agent_count, positions }
+    }
+
+    /// Sample times, seconds, ascending.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// How many agents move.
+    pub fn agent_count(&self) -> usize {
+        self.agent_count
+    }
+
+    /// All positions, sample by sample.
+    pub fn positions(&self) -> &[DVec2] {
+        &self.positions
+    }
+
+    /// Positions by agent at sample `k`.
+    pub fn sample(&self, k: usize) -> &[DVec2] {
+        &self.positions[k * self.agent_count..(k + 1) * self.agent_count]
+    }
+
+    /// The diagonal of the box that holds every sample, meters.
+    pub fn extent(&self) -> f64 {
+        let Some(&first) = self.positions.first() else { return 0.0 };
+        let (low, high) = self.positions.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
+        low.distance(high)
+    }
+}
+
+/// When a segment is sampled: its departure, every frame f / `frame_rate` strictly inside, its arrival; seconds.
+pub fn sample_times(start: f64, end: f64, frame_rate: f64) -> Vec<f64> {
+    let mut times = vec![start];
+    let mut frame = (start * frame_rate).floor().max(0.0);
+    while frame / frame_rate < end - SAME_INSTANT {
+        let time = frame / frame_rate;
+        if time > start + SAME_INSTANT {
+            times.push(time);
+        }
+        frame += 1.0;
+    }
+    times.push(end);
+    times
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_segment_is_sampled_at_its_ends_and_at_the_frames_inside() {
+        let check = |start, end, rate, expected: &[f64]| assert_eq!(sample_times(start, end, rate), expected, "{start} to {end} at {rate}");
+        check(0.0, 1.0, 4.0, &[0.0, 0.25, 0.5, 0.75, 1.0]);
+        check(0.3, 0.9, 4.0, &[0.3, 0.5, 0.75, 0.9]);
+        check(0.3, 0.4, 4.0, &[0.3, 0.4]);
+    }
+
+    #[test]
+    fn a_departure_that_is_a_frame_up_to_round_off_is_one_sample() {
+        for frame in 0..200 {
+            let start = f64::from(frame) * 0.1;
+            let times = sample_times(start, start + 1.0, 10.0);
+            assert_eq!(times.len(), 11, "from {start}");
+        }
+    }
+}
