@@ -1,8 +1,15 @@
 import "./layout.css";
+import "./stage-edge/stage-edge.css";
 import type { ReadonlySignal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { Inspector } from "./inspector/inspector";
 import { Rail } from "./rail";
+import { ContextBar } from "./stage-edge/context-bar";
+import { InfoLine } from "./stage-edge/info-line";
+import { Toasts } from "./stage-edge/toasts";
+import { ToolOptions } from "./stage-edge/tool-options";
+import { ViewPills } from "./stage-edge/view-pills";
+import { ZoomPill } from "./stage-edge/zoom-pill";
 import { useStudio } from "./studio";
 import { TopBar } from "./top-bar";
 
@@ -27,6 +34,12 @@ export function Layout({ parts }: { parts: Parts }) {
       <section class="stage" aria-label="Stage">
         <StageHost element={parts.stageHost} />
         <Rail />
+        <ToolOptions />
+        <ViewPills />
+        <InfoLine />
+        <ZoomPill />
+        <ContextBar />
+        <Toasts />
       </section>
       <Inspector />
       <div class="time">

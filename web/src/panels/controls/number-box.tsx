@@ -12,6 +12,8 @@ export function NumberBox(props: {
   /** A letter before the number, in a box without a row of its own. */
   prefix?: string;
   isDisabled?: boolean;
+  /** Taken over while it is typed: for settings, which are not undone. */
+  isLive?: boolean;
   describedBy?: string | undefined;
   onCommit(value: number): void;
 }) {
@@ -22,7 +24,7 @@ export function NumberBox(props: {
   function commit(): void {
     const typed = draft === null ? null : quantity.parse(draft);
     setDraft(null);
-    if (typed !== null && draft !== quantity.format(value)) props.onCommit(clampTo(quantity, typed));
+    if (typed !== null && (props.isLive || draft !== quantity.format(value))) props.onCommit(clampTo(quantity, typed));
   }
 
   return (
@@ -47,7 +49,11 @@ export function NumberBox(props: {
         disabled={props.isDisabled ?? false}
         value={draft ?? quantity.format(value)}
         onFocus={(event) => event.currentTarget.select()}
-        onInput={(event) => setDraft(event.currentTarget.value)}
+        onInput={(event) => {
+          const typed = quantity.parse(event.currentTarget.value);
+          setDraft(event.currentTarget.value);
+          if (props.isLive && typed !== null) props.onCommit(clampTo(quantity, typed));
+        }}
         onBlur={commit}
         onKeyDown={(event) => {
           if (event.key === "Enter") commit();

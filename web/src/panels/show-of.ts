@@ -1,0 +1,21 @@
+import { computed, type ReadonlySignal } from "@preact/signals";
+import { mainTrack } from "../document/scene";
+import { Show } from "../playback/show";
+import type { Studio } from "./studio";
+
+const shows = new WeakMap<Studio, ReadonlySignal<Show>>();
+
+/** The show as it is drawn now, one for all panels. */
+export function showOf(studio: Studio): ReadonlySignal<Show> {
+  let show = shows.get(studio);
+  if (!show) {
+    show = computed(() => {
+      const motions = studio.planner.segments.value.map((planning) =>
+        planning.kind === "ready" ? planning.plan.motion : null,
+      );
+      return new Show(mainTrack(studio.document.scene.value), motions);
+    });
+    shows.set(studio, show);
+  }
+  return show;
+}

@@ -1,0 +1,36 @@
+interface Box {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Between the selection box and the bar, CSS pixels. */
+const GAP = 14;
+/** The rotate handle stands this far above the box. */
+const HANDLE = 30;
+const EDGE = 12;
+/** The rail at the left and the pills at the top and bottom keep their place. */
+const INSET = { left: 64, top: 52, bottom: 56 } as const;
+
+/** Where the bar goes: below the box, above it when there is no room, and inside the stage when the box is not. */
+export function placeBar(box: Box, bar: Size, stage: Size): { readonly left: number; readonly top: number } {
+  const below = box.bottom + GAP;
+  const above = box.top - HANDLE - bar.height;
+  const lowest = stage.height - INSET.bottom - bar.height;
+  const top = below <= lowest ? below : above >= INSET.top ? above : lowest;
+  const middle = (box.left + box.right) / 2 - bar.width / 2;
+  return {
+    left: Math.round(clamp(middle, INSET.left, stage.width - EDGE - bar.width)),
+    top: Math.round(clamp(top, INSET.top, lowest)),
+  };
+}
+
+function clamp(value: number, low: number, high: number): number {
+  return Math.max(Math.min(low, high), Math.min(value, high));
+}

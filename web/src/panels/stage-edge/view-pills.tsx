@@ -1,0 +1,33 @@
+import type { Layers } from "../../stage/view";
+import { useStudio } from "../studio";
+
+const LAYERS: readonly { readonly layer: keyof Layers; readonly name: string }[] = [
+  { layer: "ties", name: "Ties" },
+  { layer: "trails", name: "Trails" },
+  { layer: "ghosts", name: "Ghosts" },
+  { layer: "groups", name: "Groups" },
+  { layer: "names", name: "Names" },
+];
+
+/** What the stage shows beside the agents. */
+export function ViewPills() {
+  const { view } = useStudio();
+  const layers = view.layers.value;
+  return (
+    <fieldset class="floating view-pills" aria-label="Shown on the stage">
+      {LAYERS.map(({ layer, name }) => (
+        <button
+          key={layer}
+          type="button"
+          class="toggle"
+          aria-pressed={layers[layer]}
+          onClick={() => {
+            view.layers.value = { ...layers, [layer]: !layers[layer] };
+          }}
+        >
+          {name}
+        </button>
+      ))}
+    </fieldset>
+  );
+}
