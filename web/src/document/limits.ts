@@ -32,7 +32,7 @@ export function brokenLimit(scene: Scene): string | null {
   const track = mainTrack(scene);
   const agents = track.agents.length;
   const keyframes = track.keyframes.length;
-  const frames = Math.floor(durationOf(scene) * scene.frameRate + 1e-9) + 1;
+  const frames = frameCount(scene);
   if (agents > LIMITS.agents) return `A scene has at most ${count(LIMITS.agents)} agents.`;
   if (keyframes > LIMITS.keyframes) return `A scene has at most ${LIMITS.keyframes} keyframes.`;
   if (agents * keyframes > LIMITS.places) {
@@ -45,6 +45,13 @@ export function brokenLimit(scene: Scene): string | null {
   if (groupPaths(scene.groups).length > LIMITS.groups) return `A scene has at most ${count(LIMITS.groups)} groups.`;
   if (groupDepth(scene.groups) > LIMITS.groupDepth) return `Groups nest at most ${LIMITS.groupDepth} deep.`;
   return null;
+}
+
+/** How many agents the show can have, for as long as it lasts and with as many keyframes. */
+export function mostAgents(scene: Scene): number {
+  const keyframes = mainTrack(scene).keyframes.length;
+  const byFrames = Math.floor(LIMITS.frames / frameCount(scene));
+  return Math.min(LIMITS.agents, Math.floor(LIMITS.places / keyframes), byFrames);
 }
 
 /** `after`, unless it breaks a limit that `before` keeps: then nothing happens. */
@@ -60,6 +67,10 @@ export function clampCoordinate(value: number): number {
 export function clipText(text: string, limit: number): string {
   const characters = [...text];
   return characters.length > limit ? characters.slice(0, limit).join("") : text;
+}
+
+function frameCount(scene: Scene): number {
+  return Math.floor(durationOf(scene) * scene.frameRate + 1e-9) + 1;
 }
 
 function count(value: number): string {

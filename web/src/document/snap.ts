@@ -23,6 +23,11 @@ export function snapOf(scene: Scene): Snap {
   return !lies(first) && lies(second) ? second : first;
 }
 
+/** How far arrow keys move agents, meters: a decimeter and a meter, or a quarter and a whole marching step. */
+export function nudgeSteps(scene: Scene): { readonly near: number; readonly far: number } {
+  return snapOf(scene) === FIELD_GRID ? { near: 1.143 / 8, far: 1.143 / 2 } : { near: 0.1, far: 1 };
+}
+
 export function snapValue(value: number, snap: Snap): number {
   return (Math.round((value * snap.parts) / snap.meters) * snap.meters) / snap.parts;
 }

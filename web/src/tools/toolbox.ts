@@ -29,6 +29,8 @@ export interface Toolbox {
   readonly active: Signal<ToolName>;
   readonly shape: Signal<ShapeName>;
   readonly spacing: Signal<Spacing>;
+  /** Where the Tie tool's ties hold: throughout the show, or at the edited keyframe only. */
+  readonly tieScope: Signal<"scene" | "keyframe">;
   readonly overlay: ReadonlySignal<Overlay>;
   /** CSS cursor of the stage. */
   readonly cursor: ReadonlySignal<string>;

@@ -1,0 +1,124 @@
+import { computed } from "@preact/signals";
+import { deleteAgents, duplicateAgents, moveAgents } from "../document/commands/agents";
+import { dissolveGroup } from "../document/commands/groups";
+import { deleteKeyframe } from "../document/commands/keyframes";
+import { cutTie, WHOLE_SCENE } from "../document/commands/ties";
+import type { Point } from "../document/formation";
+import { mostAgents } from "../document/limits";
+import { allAgents, selectedAgents } from "../document/queries";
+import { mainTrack } from "../document/scene";
+import { NOTHING } from "../document/selection";
+import { nudgeSteps } from "../document/snap";
+import { formatCount } from "../document/units";
+import { type ActionParts, type Doing, type Doings, here } from "./doing";
+
+type EditId =
+  | "undo"
+  | "redo"
+  | "select-all"
+  | "duplicate"
+  | "delete"
+  | `${"nudge" | "push"}-${"left" | "right" | "up" | "down"}`;
+
+export function editActions(parts: ActionParts): Doings<EditId> {
+  const { document, messages } = parts;
+  const hasAgents = computed(() => mainTrack(document.scene.value).agents.length > 0);
+  const hasSelected = computed(() => selectedAgents(document.scene.value, document.selection.value).size > 0);
+  const movesAgents = computed(() => hasSelected.value && document.selection.value.kind !== "tie");
+
+  function nudge(toward: Point, reach: "near" | "far"): Doing {
+    return {
+      isEnabled: movesAgents,
+      run() {
+        const { scene, selection, keyframe } = here(document);
+        const agents = selectedAgents(scene, selection);
+        const step = nudgeSteps(scene)[reach];
+        const by: Point = [toward[0] * step, toward[1] * step];
+        // Presses on the same agents are one undo entry: nobody undoes a walk step by step.
+        const series = `nudge ${keyframe} ${[...agents].join()}`;
+        document.perform({ ...moveAgents(keyframe, agents, by, "Nudge agents"), series });
+      },
+    };
+  }
+
+  return {
+    undo: {
+      isEnabled: computed(() => document.undoLabel.value !== null || document.isDragging.value),
+      run() {
+        document.undo();
+        messages.announce(`Undone: ${document.redoLabel.peek() ?? ""}`);
+      },
+    },
+    redo: {
+      isEnabled: computed(() => document.redoLabel.value !== null),
+      run() {
+        document.redo();
+        messages.announce(`Redone: ${document.undoLabel.peek() ?? ""}`);
+      },
+    },
+    "select-all": {
+      isEnabled: hasAgents,
+      run() {
+        document.selection.value = { kind: "agents", agents: allAgents(document.scene.peek()) };
+      },
+    },
+    duplicate: {
+      isEnabled: movesAgents,
+      run() {
+        const { scene, selection } = here(document);
+        const agents = selectedAgents(scene, selection);
+        const first = mainTrack(scene).agents.length;
+        const { far } = nudgeSteps(scene);
+        if (first + agents.size > mostAgents(scene)) {
+          const text = `This show has room for ${formatCount(mostAgents(scene))} agents.`;
+          messages.say({ tone: "problem", title: "The agents were not duplicated.", text });
+          return;
+        }
+        document.perform(duplicateAgents(agents, [far, -far]));
+        const copies = Array.from({ length: agents.size }, (_, i) => first + i);
+        document.selection.value = { kind: "agents", agents: new Set(copies) };
+      },
+    },
+    delete: {
+      isEnabled: computed(() => {
+        const { kind } = document.selection.value;
+        const isOnlyKeyframe = kind === "keyframe" && mainTrack(document.scene.value).keyframes.length === 1;
+        return kind !== "none" && kind !== "transition" && !isOnlyKeyframe;
+      }),
+      run: () => deleteSelected(parts),
+    },
+    "nudge-left": nudge([-1, 0], "near"),
+    "nudge-right": nudge([1, 0], "near"),
+    "nudge-up": nudge([0, 1], "near"),
+    "nudge-down": nudge([0, -1], "near"),
+    "push-left": nudge([-1, 0], "far"),
+    "push-right": nudge([1, 0], "far"),
+    "push-up": nudge([0, 1], "far"),
+    "push-down": nudge([0, -1], "far"),
+  };
+}
+
+/** Agents go from every keyframe, a tie is cut, a group is dissolved: its agents stay. */
+function deleteSelected({ document, messages }: ActionParts): void {
+  const { scene, selection } = here(document);
+  switch (selection.kind) {
+    case "agents":
+      document.perform(deleteAgents(selection.agents));
+      document.selection.value = NOTHING;
+      messages.announce(`${selection.agents.size} agents deleted from every keyframe`);
+      return;
+    case "tie":
+      document.perform(cutTie(WHOLE_SCENE, selection.a, selection.b));
+      document.selection.value = NOTHING;
+      messages.announce("Tie cut");
+      return;
+    case "group":
+      document.perform(dissolveGroup(selection.path));
+      messages.announce("Group dissolved");
+      return;
+    case "keyframe":
+      if (mainTrack(scene).keyframes.length > 1) document.perform(deleteKeyframe(selection.index));
+      return;
+    default:
+  }
+}

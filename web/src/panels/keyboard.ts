@@ -1,0 +1,91 @@
+import type { Actions } from "./actions";
+import { isPressed } from "./key-match";
+
+export interface KeyboardParts {
+  readonly actions: Actions;
+  readonly isMac: boolean;
+  /** Space goes down: the stage pans while it is held. */
+  holdSpace(): void;
+  /** Space goes up: whether it was held to pan, so that it does not play. */
+  releaseSpace(): boolean;
+}
+
+/** The browser brings these as events of their own, with the clipboard in hand. */
+const BY_THE_BROWSER: ReadonlySet<string> = new Set(["copy", "paste"]);
+
+/** What a text field does itself. */
+const EDITS_TEXT: ReadonlySet<string> = new Set(["undo", "redo", "select-all", "copy", "paste"]);
+
+/** Dispatches keys to actions: what has the focus comes first. Answers how to stop. */
+export function attachKeyboard(page: Window, parts: KeyboardParts): () => void {
+  let isSpaceHeld = false;
+
+  function onKeyDown(event: KeyboardEvent): void {
+    if (event.defaultPrevented || event.isComposing || isInDialog(event.target)) return;
+    if (event.code === "Space" && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      if (ownsSpace(event.target)) return;
+      event.preventDefault();
+      if (!event.repeat) {
+        isSpaceHeld = true;
+        parts.holdSpace();
+      }
+      return;
+    }
+    const action = parts.actions.all.find(({ keys }) => keys.some((key) => isPressed(event, key, parts.isMac)));
+    if (!action || BY_THE_BROWSER.has(action.id) || isOff(action.id, event)) return;
+    event.preventDefault();
+    if (action.isEnabled?.peek() ?? true) action.run();
+  }
+
+  function onKeyUp(event: KeyboardEvent): void {
+    if (event.code !== "Space" || !isSpaceHeld) return;
+    isSpaceHeld = false;
+    if (!parts.releaseSpace()) parts.actions.get("play").run();
+  }
+
+  function onBlur(): void {
+    if (isSpaceHeld) parts.releaseSpace();
+    isSpaceHeld = false;
+  }
+
+  page.addEventListener("keydown", onKeyDown);
+  page.addEventListener("keyup", onKeyUp);
+  page.addEventListener("blur", onBlur);
+  return () => {
+    page.removeEventListener("keydown", onKeyDown);
+    page.removeEventListener("keyup", onKeyUp);
+    page.removeEventListener("blur", onBlur);
+  };
+}
+
+/** Whether what has the focus keeps a key for itself. */
+function isOff(id: string, event: KeyboardEvent): boolean {
+  const isCommand = event.ctrlKey || event.metaKey;
+  if (isTextField(event.target)) return !isCommand || EDITS_TEXT.has(id);
+  if (isCommand) return false;
+  if (isWithin(event.target, "[role=grid]")) return true;
+  const isSteered = isWithin(
+    event.target,
+    "input, select, [role=toolbar], [role=listbox], [role=slider], [role=radiogroup]",
+  );
+  return isSteered && /^(Arrow|Home|End|Delete|Backspace)/.test(event.key);
+}
+
+export function isTextField(target: EventTarget | null): boolean {
+  if (!isWithin(target, "input, textarea, select, [contenteditable]")) return false;
+  return !isWithin(target, "input[type=range], input[type=checkbox], input[type=radio], input[type=button]");
+}
+
+/** A button that has the focus is pressed by Space, a text field takes it as a letter. */
+function ownsSpace(target: EventTarget | null): boolean {
+  const controls = "button, summary, a[href], select, input, [role=button], [role=option], [role=switch], [role=grid]";
+  return isTextField(target) || isWithin(target, controls);
+}
+
+function isInDialog(target: EventTarget | null): boolean {
+  return isWithin(target, "dialog, [popover]");
+}
+
+function isWithin(target: EventTarget | null, selector: string): boolean {
+  return target instanceof Element && target.closest(selector) !== null;
+}
