@@ -1,0 +1,45 @@
+// Writes the example scenes and the gallery's previews of them. Run by hand after a change; the files are committed.
+import { execFileSync } from "node:child_process";
+import { mkdirSync, writeFileSync } from "node:fs";
+import { band } from "./examples/band.mjs";
+import { fieldShow } from "./examples/field-show.mjs";
+import { aligned, fourAroundOne, gridToRing, rotatedCopy, threeBlocks } from "./examples/figures.mjs";
+import { flower, starToRings } from "./examples/large.mjs";
+import { previewOf, sampleTimes } from "./examples/preview.mjs";
+import { sceneText } from "./examples/text.mjs";
+import { main, root, step } from "./steps/run.mjs";
+
+/** By file name; `cover` is the transition that the gallery shows. */
+const EXAMPLES = {
+  band: { make: band, cover: 1 },
+  "half-time": { make: fieldShow, cover: 0 },
+  flower: { make: flower, cover: 0 },
+  "star-to-five-rings": { make: starToRings, cover: 1 },
+  "three-blocks": { make: threeBlocks, cover: 1 },
+  "grid-to-ring": { make: gridToRing, cover: 0 },
+  "four-around-one": { make: fourAroundOne, cover: 0 },
+  "rotated-copy": { make: rotatedCopy, cover: 1 },
+  alignment: { make: aligned, cover: 2 },
+};
+
+const folder = `${root}/public/examples`;
+
+main(async () => {
+  mkdirSync(folder, { recursive: true });
+  const previews = {};
+  for (const [id, { make, cover }] of Object.entries(EXAMPLES)) {
+    await step(id, () => {
+      const scene = make();
+      const file = `${folder}/${id}.eigenform.json`;
+      writeFileSync(file, sceneText(scene));
+      previews[id] = previewOf(scene, motionOf(file, sampleTimes(scene, cover)));
+    });
+  }
+  writeFileSync(`${folder}/previews.json`, `${JSON.stringify(previews, null, 1)}\n`);
+});
+
+/** The places of everybody at some times, by the engine's command line. */
+function motionOf(file, times) {
+  const words = ["run", "-q", "-p", "eigenform-cli", "--", "motion", file, "--at", times.join(","), "--json"];
+  return JSON.parse(execFileSync("cargo", words, { cwd: `${root}/core-rs`, encoding: "utf8", maxBuffer: 1 << 28 }));
+}
