@@ -7,6 +7,8 @@ mod code;
 
 use std::fmt::{self, Display, Formatter};
 
+use crate::scene::limits;
+
 /// A refusal of input: what, where, and a stable code.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
@@ -36,6 +38,18 @@ pub enum Error {
         /// Line and column, or the field.
         place: String,
     },
+    /// Text without a link in it.
+    #[error("there is no scene in this address; a link to a scene has #s=1. and many letters behind it")]
+    NotALink,
+    /// The end of the link is missing.
+    #[error("the end of the link is missing; copy the whole link again")]
+    LinkCut,
+    /// Something in the link was changed.
+    #[error("the link was changed on its way and its checksum does not fit; copy the whole link again")]
+    LinkDamaged,
+    /// A link that asks for more than the limits.
+    #[error("the link holds more than a scene may, as {} agents and {} keyframes", limits::AGENTS, limits::KEYFRAMES)]
+    LinkTooLarge,
     /// JSON of something else.
     #[error("this is not a scene: its format is {found}, not \"eigenform\"")]
     NotAScene {

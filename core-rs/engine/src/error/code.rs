@@ -10,6 +10,10 @@ impl Error {
             Self::NotText { .. } => "not-text",
             Self::FileTooLarge { .. } => "file-too-large",
             Self::InvalidJson { .. } => "invalid-json",
+            Self::NotALink => "not-a-link",
+            Self::LinkCut => "link-cut",
+            Self::LinkDamaged => "link-damaged",
+            Self::LinkTooLarge => "link-too-large",
             Self::NotAScene { .. } => "not-a-scene",
             Self::NewerVersion { .. } => "newer-version",
             Self::MissingField { .. } => "missing-field",
@@ -40,7 +44,13 @@ impl Error {
     /// Where in the input, in words; empty when it is the whole.
     pub fn place(&self) -> String {
         match self {
-            Self::Empty | Self::FileTooLarge { .. } | Self::TooManyFrames { .. } => String::new(),
+            Self::Empty
+            | Self::NotALink
+            | Self::LinkCut
+            | Self::LinkDamaged
+            | Self::LinkTooLarge
+            | Self::FileTooLarge { .. }
+            | Self::TooManyFrames { .. } => String::new(),
             Self::NotText { byte } => format!("byte {byte}"),
             Self::NotAScene { .. } => "format".to_owned(),
             Self::NewerVersion { .. } => "version".to_owned(),

@@ -9,6 +9,7 @@ pub mod document;
 mod groups;
 mod json;
 pub mod limits;
+pub mod link;
 mod normalize;
 mod number;
 pub(crate) mod place;

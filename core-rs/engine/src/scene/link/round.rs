@@ -1,0 +1,121 @@
+//! Coordinates to cells of a grid and back, and what that moves.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use super::route::Cell;
+use super::step::{ROUNDED_SPAN, Step};
+use crate::formation::Formation;
+use crate::scene::Scene;
+
+/// How a link keeps coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Within 1e-6 m, which drawn scenes meet to the last bit.
+    Exact,
+    /// In 12 bits of the extent: a shorter link.
+    Short,
+}
+
+/// A scene's coordinates on a grid.
+pub struct Rounded {
+    /// The grid.
+    pub step: Step,
+    /// By keyframe, then by agent.
+    pub cells: Vec<Vec<Cell>>,
+    /// The farthest that an agent was moved, meters; 0 where the step represents every coordinate.
+    pub farthest: f64,
+    /// Keyframes that only then break the minimum distance.
+    pub broken_keyframes: Vec<usize>,
+}
+
+/// Puts a scene's coordinates on the coarsest grid that represents them or, for a shorter link, on one of 12 bits.
+///
+/// What comes out lies on its grid, and rounding it again changes nothing.
+pub fn round(scene: &Scene, precision: Precision) -> Rounded {
+    let before: Vec<&[DVec2]> = scene.tracks[0].keyframes.iter().map(|keyframe| keyframe.positions.positions()).collect();
+    let mut points: Vec<DVec2> = before.concat();
+    let mut step = settle(&mut points);
+    let mut farthest = 0.0;
+    let mut broken_keyframes = Vec::new();
+    let (low, high) = bounds(&points);
+    if precision == Precision::Short
+        && step.span(low, high) > ROUNDED_SPAN
+        && let Some(rounded) = Step::rounded(low, high)
+    {
+        points = before.concat();
+        snap(rounded, &mut points);
+        step = settle(&mut points);
+        farthest = before.concat().iter().zip(&points).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        broken_keyframes = broken(&before, &points, scene.minimum_distance);
+    }
+    let mut rest = points.iter().map(|point| [step.index(point.x), step.index(point.y)]);
+    let cells = before.iter().map(|formation| rest.by_ref().take(formation.len()).collect()).collect();
+    Rounded { step, cells, farthest, broken_keyframes }
+}
+
+/// The formation of a grid's cells.
+pub fn formation(step: Step, cells: &[Cell]) -> Arc<Formation> {
+    Arc::new(Formation::new(cells.iter().map(|[x, y]| DVec2::new(step.value(*x), step.value(*y))).collect()))
+}
+
+/// Moves points, each by less than the tolerance, onto the coarsest step that represents them.
+fn settle(points: &mut [DVec2]) -> Step {
+    let mut step = coarsest(points);
+    loop {
+        snap(step, points);
+        // Points on a step may now be within the tolerance of a coarser one.
+        let next = coarsest(points);
+        if next == step {
+            return step;
+        }
+        step = next;
+    }
+}
+
+fn snap(step: Step, points: &mut [DVec2]) {
+    for point in points {
+        *point = DVec2::new(step.value(step.index(point.x)), step.value(step.index(point.y)));
+    }
+}
+
+fn coarsest(points: &[DVec2]) -> Step {
+    let (low, high) = bounds(points);
+    let mut steps = Step::catalog();
+    // What 12 bits have rounded before is recognized: its step, or after that rounding moved the bounds inward, the next coarser.
+    if let Some(rounded) = Step::rounded(low, high) {
+        steps.extend([rounded, rounded.coarser(), rounded.coarser().coarser()]);
+    }
+    steps.sort_by(|a, b| b.meters().total_cmp(&a.meters()));
+    let represents = |step: &Step| points.iter().all(|point| step.represents(point.x) && step.represents(point.y));
+    steps.into_iter().find(represents).expect("the finest step represents every coordinate")
+}
+
+fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
+    let first = points.first().copied().unwrap_or_default();
+    points.iter().fold((first, first), |(low, high), point| (low.min(*point), high.max(*point)))
+}
+
+fn broken(before: &[&[DVec2]], after: &[DVec2], distance: f64) -> Vec<usize> {
+    let mut start = 0;
+    let mut broken = Vec::new();
+    for (index, formation) in before.iter().enumerate() {
+        let rounded = &after[start..start + formation.len()];
+        start += formation.len();
+        if !has_nearer(formation, distance) && has_nearer(rounded, distance) {
+            broken.push(index);
+        }
+    }
+    broken
+}
+
+/// Whether two points are nearer than `distance`, as near-collisions are counted: by more than 1e-6 m.
+fn has_nearer(points: &[DVec2], distance: f64) -> bool {
+    let limit = distance - 1e-6;
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a.x.total_cmp(&b.x));
+    sorted.iter().enumerate().any(|(index, point)| {
+        sorted[index + 1..].iter().take_while(|other| other.x - point.x < limit).any(|other| other.distance(*point) < limit)
+    })
+}
