@@ -38,6 +38,14 @@ impl Error {
             Self::SharedMember { .. } => "shared-member",
             Self::GroupsTooDeep { .. } => "groups-too-deep",
             Self::TooManyTies { .. } => "too-many-ties",
+            Self::MissingColumn { .. } => "missing-column",
+            Self::UnknownColumn { .. } => "unknown-column",
+            Self::RepeatedColumn { .. } => "repeated-column",
+            Self::CutRow { .. } => "cut-row",
+            Self::NotANumber { .. } => "not-a-number",
+            Self::RepeatedRow { .. } => "repeated-row",
+            Self::MissingRow { .. } => "missing-row",
+            Self::TimesDiffer { .. } => "times-differ",
         }
     }
 
@@ -56,6 +64,10 @@ impl Error {
             Self::NewerVersion { .. } => "version".to_owned(),
             Self::NoKeyframes => "keyframes".to_owned(),
             Self::TooManyTies { keyframe, .. } => format!("keyframes[{keyframe}]"),
+            Self::MissingColumn { .. } | Self::UnknownColumn { .. } | Self::RepeatedColumn { .. } => "row 1".to_owned(),
+            Self::NotANumber { column, row, .. } => format!("row {row}, column {column}"),
+            Self::CutRow { row, .. } | Self::RepeatedRow { row, .. } | Self::TimesDiffer { row, .. } => format!("row {row}"),
+            Self::MissingRow { keyframe, .. } => format!("keyframe {keyframe}"),
             Self::InvalidJson { place, .. }
             | Self::MissingField { place, .. }
             | Self::UnknownField { place, .. }

@@ -16,7 +16,7 @@ use crate::formation::Formation;
 /// The scene with its positions.
 ///
 /// # Panics
-/// Never: the scene's types have no keys or values that JSON lacks.
+/// When the scene is not plain data: a bug, not input.
 pub fn write(scene: &Scene) -> String {
     serde_json::to_string(scene).expect("a scene is plain data")
 }

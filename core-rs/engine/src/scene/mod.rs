@@ -4,6 +4,7 @@
 //! sizes are checked before anything is allocated, and a scene that exists is valid.
 //! Parts that the engine caches by identity are shared (`Arc`): an unchanged part is the same allocation.
 
+mod csv;
 mod defaults;
 pub mod document;
 mod groups;
@@ -18,6 +19,7 @@ mod validate;
 
 use std::sync::Arc;
 
+pub use csv::{Read, Written, read_csv, write_csv};
 pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS};
 pub use groups::group_ties;
 pub use json::{read_json, write_json};

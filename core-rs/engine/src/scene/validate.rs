@@ -3,6 +3,7 @@
 mod groups;
 mod ties;
 
+use std::fmt::Display;
 use std::ops::RangeInclusive;
 
 use super::limits;
@@ -33,17 +34,17 @@ pub fn validate(scene: &Scene) -> Result<(), Error> {
 }
 
 /// At most `limit` of something.
-pub(super) fn at_most(count: usize, limit: usize, what: Counted, place: Place) -> Result<(), Error> {
+pub(super) fn at_most(count: usize, limit: usize, what: Counted, place: impl Display) -> Result<(), Error> {
     if count <= limit { Ok(()) } else { Err(Error::TooMany { what, count, limit, place: place.to_string() }) }
 }
 
 /// As many as another list has.
-pub(super) fn exactly(found: usize, expected: usize, what: &'static str, place: Place) -> Result<(), Error> {
+pub(super) fn exactly(found: usize, expected: usize, what: &'static str, place: impl Display) -> Result<(), Error> {
     if found == expected { Ok(()) } else { Err(Error::WrongCount { what, found, expected, place: place.to_string() }) }
 }
 
 /// A finite number within its limits.
-pub(super) fn within(value: f64, range: &RangeInclusive<f64>, place: Place) -> Result<(), Error> {
+pub(super) fn within(value: f64, range: &RangeInclusive<f64>, place: impl Display) -> Result<(), Error> {
     if range.contains(&value) {
         Ok(())
     } else if value.is_finite() {
@@ -53,13 +54,15 @@ pub(super) fn within(value: f64, range: &RangeInclusive<f64>, place: Place) -> R
     }
 }
 
-fn length(text: &str, limit: usize, place: Place) -> Result<(), Error> {
+/// A text of at most `limit` characters.
+pub(super) fn length(text: &str, limit: usize, place: impl Display) -> Result<(), Error> {
     // A character has at least one byte, so short texts need no count.
     let length = if text.len() <= limit { 0 } else { text.chars().count() };
     if length <= limit { Ok(()) } else { Err(Error::TooLong { length, limit, place: place.to_string() }) }
 }
 
-fn color(text: &str, place: Place) -> Result<(), Error> {
+/// `#rrggbb` or empty.
+pub(super) fn color(text: &str, place: impl Display) -> Result<(), Error> {
     let is_color = text.strip_prefix('#').is_some_and(|digits| digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit()));
     if text.is_empty() || is_color { Ok(()) } else { Err(Error::InvalidColor { value: super::shown(text), place: place.to_string() }) }
 }

@@ -1,0 +1,120 @@
+//! The rows gathered by agent and keyframe, whatever their order.
+
+use std::collections::BTreeMap;
+
+use glam::DVec2;
+
+use super::columns::Row;
+use crate::error::{Counted, Error};
+use crate::scene::validate::{at_most, color, length, within};
+use crate::scene::{limits, shown};
+
+/// What the rows say, by agent and keyframe in order of first appearance.
+#[derive(Default)]
+pub(super) struct Table {
+    pub(super) agents: Vec<AgentRow>,
+    pub(super) keyframes: Vec<KeyframeRows>,
+    agent_numbers: BTreeMap<String, usize>,
+    keyframe_numbers: BTreeMap<String, usize>,
+}
+
+/// An agent as its first row has it.
+pub(super) struct AgentRow {
+    pub(super) id: String,
+    pub(super) name: Option<String>,
+    pub(super) color: String,
+    pub(super) group: String,
+    pub(super) changes_group: bool,
+}
+
+/// One keyframe as far as its rows were met.
+pub(super) struct KeyframeRows {
+    pub(super) label: String,
+    pub(super) time: f64,
+    /// By agent; shorter than there are agents while the last ones are missing.
+    positions: Vec<Option<DVec2>>,
+}
+
+impl Table {
+    pub(super) fn add(&mut self, row: &Row) -> Result<(), Error> {
+        let position = position(row)?;
+        let keyframe = self.keyframe(row)?;
+        let agent = self.agent(row)?;
+        let count = self.agents.len() * self.keyframes.len();
+        at_most(count, limits::POSITIONS, Counted::Positions, row.place("agent"))?;
+        let positions = &mut self.keyframes[keyframe].positions;
+        if positions.len() <= agent {
+            positions.resize(agent + 1, None);
+        }
+        if positions[agent].replace(position).is_some() {
+            let (agent, keyframe) = (shown(row.text("agent")), shown(row.text("keyframe")));
+            return Err(Error::RepeatedRow { row: row.number, agent, keyframe });
+        }
+        Ok(())
+    }
+
+    /// The positions of every agent at a keyframe.
+    pub(super) fn formation(&self, keyframe: &KeyframeRows) -> Result<Vec<DVec2>, Error> {
+        let positions = (0..self.agents.len()).map(|agent| keyframe.positions.get(agent).copied().flatten());
+        positions
+            .zip(&self.agents)
+            .map(|(position, agent)| {
+                position.ok_or_else(|| Error::MissingRow { agent: shown(&agent.id), keyframe: shown(&keyframe.label) })
+            })
+            .collect()
+    }
+
+    fn keyframe(&mut self, row: &Row) -> Result<usize, Error> {
+        let (label, time) = (row.text("keyframe"), row.number("time")?);
+        let Some(&number) = self.keyframe_numbers.get(label) else {
+            at_most(self.keyframes.len() + 1, limits::KEYFRAMES, Counted::Keyframes, row.place("keyframe"))?;
+            within(time, &limits::TIME, row.place("time"))?;
+            if let Some(before) = self.keyframes.last().filter(|before| time - before.time < limits::SHORTEST_SEGMENT) {
+                return Err(Error::TimesDoNotRise { time, end: before.time, place: row.place("time").to_string() });
+            }
+            length(label, limits::NAME_CHARACTERS, row.place("keyframe"))?;
+            self.keyframe_numbers.insert(label.to_owned(), self.keyframes.len());
+            self.keyframes.push(KeyframeRows { label: label.to_owned(), time, positions: Vec::new() });
+            return Ok(self.keyframes.len() - 1);
+        };
+        let expected = self.keyframes[number].time;
+        if time.to_bits() == expected.to_bits() {
+            Ok(number)
+        } else {
+            Err(Error::TimesDiffer { row: row.number, keyframe: shown(label), time, expected })
+        }
+    }
+
+    fn agent(&mut self, row: &Row) -> Result<usize, Error> {
+        let (id, group) = (row.text("agent"), row.text("group"));
+        if let Some(&number) = self.agent_numbers.get(id) {
+            let agent = &mut self.agents[number];
+            agent.changes_group |= agent.group != group;
+            return Ok(number);
+        }
+        at_most(self.agents.len() + 1, limits::AGENTS, Counted::Agents, row.place("agent"))?;
+        length(id, limits::NAME_CHARACTERS, row.place("agent"))?;
+        length(row.text("name"), limits::NAME_CHARACTERS, row.place("name"))?;
+        color(row.text("color"), row.place("color"))?;
+        self.agent_numbers.insert(id.to_owned(), self.agents.len());
+        self.agents.push(AgentRow {
+            id: id.to_owned(),
+            name: row.has("name").then(|| row.text("name").to_owned()),
+            color: row.text("color").to_owned(),
+            group: group.to_owned(),
+            changes_group: false,
+        });
+        Ok(self.agents.len() - 1)
+    }
+}
+
+fn position(row: &Row) -> Result<DVec2, Error> {
+    let position = DVec2::new(row.number("x")?, row.number("y")?);
+    within(position.x, &limits::COORDINATE, row.place("x"))?;
+    within(position.y, &limits::COORDINATE, row.place("y"))?;
+    if !row.text("z").is_empty() && row.number("z")? != 0.0 {
+        let (value, place) = (format!("height {}", shown(row.text("z"))), row.place("z").to_string());
+        return Err(Error::Unsupported { value, supported: "0".to_owned(), place });
+    }
+    Ok(position)
+}
