@@ -79,12 +79,8 @@ describe("show", () => {
   });
 
   it("knows what stands and what moves", () => {
-    expect(show.momentAt(0)).toEqual({ kind: "standing", index: 0 });
-    expect(show.momentAt(3)).toEqual({ kind: "standing", index: 0 });
-    expect(show.momentAt(3.01)).toEqual({ kind: "moving", index: 0 });
-    expect(show.momentAt(7)).toEqual({ kind: "standing", index: 1 });
-    expect(show.momentAt(8)).toEqual({ kind: "moving", index: 1 });
-    expect(show.momentAt(11)).toEqual({ kind: "standing", index: 2 });
+    expect([0, 3, 3.01, 7, 8, 9, 11].map((time) => show.segmentAt(time))).toEqual([null, null, 0, null, 1, null, null]);
+    expect([0, 3.01, 7, 11].map((time) => show.keyframeBefore(time))).toEqual([0, 0, 1, 2]);
   });
 
   it("one keyframe stands for ever", () => {

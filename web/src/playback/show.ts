@@ -4,13 +4,6 @@ import type { SegmentMotion } from "./motion";
 /** Round-off allowed between a keyframe's time and its motion's end, seconds. */
 const TIME_TOLERANCE = 1e-6;
 
-/** What is on at some time: a formation that stands, or a segment under way. */
-export interface Moment {
-  readonly kind: "standing" | "moving";
-  /** Of the keyframe or of the segment. */
-  readonly index: number;
-}
-
 /**
  * The show as it is drawn: formations that stand and segments between them.
  *
@@ -44,9 +37,10 @@ export class Show {
     return low;
   }
 
-  momentAt(time: number): Moment {
+  /** The segment under way at `time`; null while a formation stands. */
+  segmentAt(time: number): number | null {
     const index = this.keyframeBefore(time);
-    return { kind: this.isMoving(index, time) ? "moving" : "standing", index };
+    return this.isMoving(index, time) ? index : null;
   }
 
   /** The motion that `segment` is drawn from; null while it is blended. */

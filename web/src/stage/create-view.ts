@@ -16,7 +16,7 @@ import { contentOf, sheetOf } from "./sheet";
 import { clamp } from "./spacing";
 import type { Camera, Layers, View } from "./view";
 
-const ALL_BUT_NAMES: Layers = { ties: true, trails: true, ghosts: true, groups: true, names: false };
+const EVERYTHING: Layers = { ties: true, trails: true, ghosts: true, groups: true, names: true };
 
 /** The tool rail, the view and zoom pills and the context bar stay clear of what was fitted. */
 const ROOM_FOR_PANELS: Padding = { left: 72, right: 24, top: 60, bottom: 72 };
@@ -68,7 +68,7 @@ export function createView(scene: ReadonlySignal<Scene>): View {
 
   return {
     camera,
-    layers: signal(ALL_BUT_NAMES),
+    layers: signal(EVERYTHING),
     size,
     hovered: signal<number | null>(null),
     theme: signal<"light" | "dark" | "system">("system"),

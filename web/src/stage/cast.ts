@@ -1,0 +1,65 @@
+import { groupAt, groupPaths, groupSet } from "../document/groups";
+import { agentColors, agentLabel, groupColor } from "../document/queries";
+import { type GroupPath, mainTrack, type Scene } from "../document/scene";
+import { inkOn } from "./contrast";
+import type { Palette } from "./palette";
+
+/** Agents of one color, so that a color is set once a frame. */
+export interface Paint {
+  /** As shown, `#rrggbb`. */
+  readonly color: string;
+  /** What reads on it. */
+  readonly ink: string;
+  readonly agents: Uint32Array;
+}
+
+/** A group as it is drawn. */
+export interface CastGroup {
+  readonly path: GroupPath;
+  /** As shown. */
+  readonly color: string;
+  readonly agents: Uint32Array;
+}
+
+/** Who is on stage: colors, names and groups of a scene in one theme. */
+export interface Cast {
+  /** As shown, by agent. */
+  readonly colors: readonly string[];
+  /** What reads on an agent's color, by agent. */
+  readonly inks: readonly string[];
+  readonly names: readonly string[];
+  readonly paints: readonly Paint[];
+  /** Parents before children. */
+  readonly groups: readonly CastGroup[];
+}
+
+export function castOf(scene: Scene, palette: Palette): Cast {
+  const count = mainTrack(scene).agents.length;
+  const colors = agentColors(scene).map((stored) => palette.shown(stored));
+  const byColor = new Map<string, number[]>();
+  colors.forEach((color, agent) => {
+    const agents = byColor.get(color);
+    if (agents) agents.push(agent);
+    else byColor.set(color, [agent]);
+  });
+  const paints = [...byColor].map(([color, agents]) => ({
+    color,
+    ink: inkOn(color),
+    agents: Uint32Array.from(agents),
+  }));
+  const inks = new Map(paints.map(({ color, ink }) => [color, ink]));
+  return {
+    colors,
+    inks: colors.map((color) => inks.get(color) ?? palette.ink),
+    names: Array.from({ length: count }, (_, agent) => agentLabel(scene, agent)),
+    paints,
+    groups: groupPaths(scene.groups).map((path) => {
+      const group = groupAt(scene.groups, path);
+      return {
+        path,
+        color: palette.shown(groupColor(scene, path)),
+        agents: Uint32Array.from(group ? groupSet(group) : []).sort(),
+      };
+    }),
+  };
+}

@@ -1,0 +1,75 @@
+import type { Selection } from "../document/selection";
+import type { TieList } from "../engine/api";
+import type { Overlay } from "../tools/toolbox";
+import type { Bounds } from "./camera";
+import type { Frame } from "./frame";
+import { type SelectionBox, selectionBounds, selectionBox } from "./handles";
+import { drawNamePill, needsPill } from "./layers/names";
+import { drawOverlay } from "./layers/overlay";
+import { drawBox, drawHoverRing, drawRings } from "./layers/selection";
+import { drawSelectedTie } from "./layers/ties";
+import { FEW_SELECTED } from "./subject";
+import { tieStrength, tieWidth } from "./ties";
+
+/** What the handles canvas shows. */
+export interface HandlesPicture {
+  readonly selection: Selection;
+  readonly selected: ReadonlySet<number>;
+  readonly hovered: number | null;
+  readonly overlay: Overlay;
+  readonly areNamesShown: boolean;
+  /** A box with handles about the selection, rather than rings only. */
+  readonly hasBox: boolean;
+  /** Of the keyframe at hand, for the weight of a selected tie. */
+  readonly ties: TieList | null;
+}
+
+/** Draws what the person does: selection, handles and the tool at work. */
+export function drawHandles(context: CanvasRenderingContext2D, frame: Frame, picture: HandlesPicture): void {
+  const { selection, selected, hovered, overlay } = picture;
+  context.clearRect(0, 0, frame.size.width, frame.size.height);
+  if (selection.kind === "tie") {
+    const { a, b } = selection;
+    drawSelectedTie(context, frame, a, b, tieWidth(tieStrength(factorOf(picture.ties, a, b))));
+  }
+  if (selected.size > 0) drawRings(context, frame, selected);
+  if (hovered !== null && hovered < frame.agentCount && !selected.has(hovered)) drawHoverRing(context, frame, hovered);
+  if (picture.hasBox) {
+    const bounds = selectionBounds(frame.places, selected);
+    const box = bounds && isExtended(bounds) ? boxOf(frame, bounds) : null;
+    if (box) drawBox(context, frame, box);
+  }
+  drawNamePills(context, frame, picture);
+  drawOverlay(context, frame, overlay);
+}
+
+function drawNamePills(context: CanvasRenderingContext2D, frame: Frame, picture: HandlesPicture): void {
+  const { selected, hovered, areNamesShown, overlay } = picture;
+  if (overlay.kind !== "none") return;
+  if (selected.size <= FEW_SELECTED && areNamesShown) {
+    for (const agent of selected) {
+      if (agent !== hovered && needsPill(frame, agent, areNamesShown)) drawNamePill(context, frame, agent);
+    }
+  }
+  if (hovered !== null && hovered < frame.agentCount && needsPill(frame, hovered, areNamesShown)) {
+    drawNamePill(context, frame, hovered);
+  }
+}
+
+function boxOf(frame: Frame, bounds: Bounds): SelectionBox {
+  return selectionBox(bounds, frame.camera, frame.radius);
+}
+
+/** One agent, or several on one spot, can neither be scaled nor turned. */
+function isExtended(bounds: Bounds): boolean {
+  return bounds.maxX > bounds.minX || bounds.maxY > bounds.minY;
+}
+
+function factorOf(ties: TieList | null, a: number, b: number): number {
+  if (!ties) return 1;
+  for (let tie = 0; tie < ties.factors.length; tie += 1) {
+    const [x, y] = [ties.pairs[2 * tie], ties.pairs[2 * tie + 1]];
+    if ((x === a && y === b) || (x === b && y === a)) return ties.factors[tie] ?? 1;
+  }
+  return 1;
+}

@@ -1,0 +1,68 @@
+import type { Size } from "./camera";
+import type { Cast } from "./cast";
+import type { Palette } from "./palette";
+import { discRadius, screenSpacing } from "./spacing";
+import type { Camera } from "./view";
+
+/** What every drawing function reads; one is kept and refilled, so that a frame allocates nothing. */
+export class Frame {
+  camera: Camera = { scale: 1, left: 0, top: 0 };
+  size: Size = { width: 0, height: 0 };
+  /** Canvas pixels a CSS pixel. */
+  density = 1;
+  /** `s`: CSS pixels between neighbors. Decides every detail. */
+  spacing = 0;
+  /** Of an agent's disc, CSS pixels. */
+  radius = 0;
+  /** Meters: x, y an agent, now. */
+  places: Float32Array<ArrayBufferLike> = new Float32Array(0);
+  /** CSS pixels on the stage: x, y an agent, now. */
+  points: Float32Array<ArrayBufferLike> = new Float32Array(0);
+
+  constructor(
+    public palette: Palette,
+    public cast: Cast,
+  ) {}
+
+  get agentCount(): number {
+    return this.points.length / 2;
+  }
+
+  /** Takes a camera and the show's spacing in meters. */
+  look(camera: Camera, size: Size, density: number, spacing: number): void {
+    this.camera = camera;
+    this.size = size;
+    this.density = density;
+    this.spacing = screenSpacing(spacing, camera.scale);
+    this.radius = discRadius(this.spacing);
+  }
+
+  /** Makes room for `agentCount` agents. */
+  resize(agentCount: number): void {
+    if (this.points.length === 2 * agentCount) return;
+    this.places = new Float32Array(2 * agentCount);
+    this.points = new Float32Array(2 * agentCount);
+  }
+
+  /** Projects `places` to `points`. */
+  project(): void {
+    const { camera, places, points } = this;
+    for (let k = 0; k < points.length; k += 2) {
+      points[k] = (places[k] ?? 0) * camera.scale + camera.left;
+      points[k + 1] = camera.top - (places[k + 1] ?? 0) * camera.scale;
+    }
+  }
+
+  screenX(x: number): number {
+    return x * this.camera.scale + this.camera.left;
+  }
+
+  screenY(y: number): number {
+    return this.camera.top - y * this.camera.scale;
+  }
+
+  /** Whether something within `reach` pixels of a place on the screen can be seen. */
+  sees(x: number, y: number, reach: number): boolean {
+    return x > -reach && y > -reach && x < this.size.width + reach && y < this.size.height + reach;
+  }
+}

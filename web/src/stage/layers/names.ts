@@ -1,0 +1,61 @@
+import type { Frame } from "../frame";
+import { clamp, fade } from "../spacing";
+import { drawPill } from "./pill";
+import { font } from "./text";
+
+/** Discs from this radius on hold a name. */
+export const ROOMY_RADIUS = 8;
+
+/** Names inside the discs; they appear as the discs get roomy. */
+export function drawNames(context: CanvasRenderingContext2D, frame: Frame): void {
+  // The radius is 0.31 of the spacing: 8 px at 25.8.
+  const alpha = fade(frame.spacing, 25.8, 28);
+  if (frame.radius < ROOMY_RADIUS || alpha === 0) return;
+  setNameStyle(context, frame);
+  context.globalAlpha = alpha;
+  for (let agent = 0; agent < frame.agentCount; agent += 1) drawName(context, frame, agent);
+  context.globalAlpha = 1;
+}
+
+/** Font and alignment for `drawName`. */
+export function setNameStyle(context: CanvasRenderingContext2D, frame: Frame): void {
+  context.font = font(frame.palette, clamp(0.86 * frame.radius, 8, 10));
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+}
+
+/** One name, squeezed to its disc when it is long. */
+export function drawName(context: CanvasRenderingContext2D, frame: Frame, agent: number): void {
+  const x = frame.points[2 * agent] ?? 0;
+  const y = frame.points[2 * agent + 1] ?? 0;
+  const name = frame.cast.names[agent] ?? "";
+  if (name.length > LONGEST || !frame.sees(x, y, frame.radius)) return;
+  context.fillStyle = frame.cast.inks[agent] ?? frame.palette.sheet;
+  context.fillText(name, x, y + 0.5, 2 * frame.radius - 2);
+}
+
+/** Longer names than this do not fit a disc at any size. */
+const LONGEST = 4;
+
+/** Whether an agent's name is not already inside its disc. */
+export function needsPill(frame: Frame, agent: number, areNamesShown: boolean): boolean {
+  const isInside = areNamesShown && frame.radius >= ROOMY_RADIUS;
+  return !isInside || (frame.cast.names[agent] ?? "").length > LONGEST;
+}
+
+/** The name of an agent beside its disc, for those hovered and selected. */
+export function drawNamePill(context: CanvasRenderingContext2D, frame: Frame, agent: number): void {
+  const { palette, radius, points } = frame;
+  const x = points[2 * agent] ?? 0;
+  const y = points[2 * agent + 1] ?? 0;
+  if (!frame.sees(x, y, radius)) return;
+  drawPill(context, palette, frame.cast.names[agent] ?? "", {
+    x: x + radius + 6,
+    y,
+    align: "left",
+    height: 18,
+    fill: palette.raised,
+    ink: palette.ink,
+    edge: palette.lineStrong,
+  });
+}

@@ -1,0 +1,96 @@
+import type { Overlay } from "../../tools/toolbox";
+import type { Frame } from "../frame";
+import { crisp } from "./crisp";
+import { drawPill } from "./pill";
+import { drawPlaces, drawStroke } from "./stroke";
+
+/** What the tool at work shows. */
+export function drawOverlay(context: CanvasRenderingContext2D, frame: Frame, overlay: Overlay): void {
+  switch (overlay.kind) {
+    case "none":
+      break;
+    case "marquee":
+      drawMarquee(context, frame, overlay);
+      break;
+    case "stroke":
+      drawStroke(context, frame, overlay.stroke, overlay.isClosed);
+      drawPlaces(context, frame, overlay.places);
+      break;
+    case "shape":
+      drawStroke(context, frame, overlay.outline, false);
+      drawPlaces(context, frame, overlay.places);
+      break;
+    case "tie":
+      drawTiePreview(context, frame, overlay);
+      break;
+    case "guides":
+      drawGuides(context, frame, overlay);
+      break;
+  }
+}
+
+function drawMarquee(context: CanvasRenderingContext2D, frame: Frame, overlay: Overlay & { kind: "marquee" }): void {
+  const left = crisp(frame.screenX(Math.min(overlay.from[0], overlay.to[0])));
+  const right = crisp(frame.screenX(Math.max(overlay.from[0], overlay.to[0])));
+  const top = crisp(frame.screenY(Math.max(overlay.from[1], overlay.to[1])));
+  const bottom = crisp(frame.screenY(Math.min(overlay.from[1], overlay.to[1])));
+  context.globalAlpha = 0.08;
+  context.fillStyle = frame.palette.you;
+  context.fillRect(left, top, right - left, bottom - top);
+  context.globalAlpha = 1;
+  context.lineWidth = 1;
+  context.strokeStyle = frame.palette.you;
+  context.strokeRect(left, top, right - left, bottom - top);
+}
+
+/** A tie being drawn; firm once it has reached an agent. */
+function drawTiePreview(context: CanvasRenderingContext2D, frame: Frame, overlay: Overlay & { kind: "tie" }): void {
+  const { points, palette, radius } = frame;
+  const { from, to, target } = overlay;
+  const x = points[2 * from] ?? 0;
+  const y = points[2 * from + 1] ?? 0;
+  const endX = target === null ? frame.screenX(to[0]) : (points[2 * target] ?? 0);
+  const endY = target === null ? frame.screenY(to[1]) : (points[2 * target + 1] ?? 0);
+  context.lineWidth = 2;
+  context.lineCap = "round";
+  context.strokeStyle = palette.you;
+  if (target === null) context.setLineDash([4, 5]);
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(endX, endY);
+  context.stroke();
+  context.setLineDash([]);
+  context.beginPath();
+  for (const [cx, cy] of target === null ? [[x, y] as const] : [[x, y] as const, [endX, endY] as const]) {
+    context.moveTo(cx + radius + 3, cy);
+    context.arc(cx, cy, radius + 3, 0, 2 * Math.PI);
+  }
+  context.stroke();
+}
+
+function drawGuides(context: CanvasRenderingContext2D, frame: Frame, overlay: Overlay & { kind: "guides" }): void {
+  const { palette } = frame;
+  for (const { from, to, gap } of overlay.lines) {
+    const fromX = frame.screenX(from[0]);
+    const fromY = frame.screenY(from[1]);
+    const toX = frame.screenX(to[0]);
+    const toY = frame.screenY(to[1]);
+    context.lineWidth = 1;
+    context.strokeStyle = palette.you;
+    context.beginPath();
+    // Upright and level guides are sharp.
+    context.moveTo(fromX === toX ? crisp(fromX) : fromX, fromY === toY ? crisp(fromY) : fromY);
+    context.lineTo(fromX === toX ? crisp(toX) : toX, fromY === toY ? crisp(toY) : toY);
+    context.stroke();
+    if (gap === null) continue;
+    drawPill(context, palette, gap, {
+      x: (fromX + toX) / 2,
+      y: (fromY + toY) / 2,
+      align: "center",
+      height: 18,
+      fill: palette.you,
+      ink: palette.onYou,
+      edge: null,
+    });
+  }
+}
