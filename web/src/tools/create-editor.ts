@@ -1,0 +1,77 @@
+import type { ReadonlySignal } from "@preact/signals";
+import { selectedAgents } from "../document/queries";
+import { mainTrack } from "../document/scene";
+import type { DocumentStore } from "../document/store";
+import { lengthWithUnit } from "../document/units";
+import type { Engine, TieList } from "../engine/api";
+import type { Playback } from "../playback/playback";
+import { handleAt, selectionBounds, selectionBox } from "../stage/handles";
+import { agentAt, agentReach, agentsWithin, handleReach, tieAt, tieReach } from "../stage/hit";
+import { discRadius, screenSpacing, spacingAt } from "../stage/spacing";
+import type { View } from "../stage/view";
+import type { Editor } from "./tool";
+import type { Toolbox } from "./toolbox";
+
+/** What the tools are put to work with. */
+export interface ToolParts {
+  readonly document: DocumentStore;
+  readonly view: View;
+  readonly playback: Playback;
+  readonly engine: Pick<Engine, "assign">;
+  /** Ties by keyframe, as drawn; null while unknown. */
+  readonly ties: ReadonlySignal<readonly (TieList | null)[]>;
+  /** Where the stage shows everybody: x, y an agent, meters. */
+  shownXy(): ArrayLike<number>;
+  announce(text: string): void;
+  warn(title: string, text: string): void;
+}
+
+/** The editor of the page: what is shown is what is hit. */
+export function createEditor(parts: ToolParts, settings: Pick<Toolbox, "shape" | "spacing" | "tieScope">): Editor {
+  const { document, view, playback } = parts;
+
+  /** Of the discs as they are drawn, CSS pixels. */
+  function radius(): number {
+    const spacing = spacingAt(mainTrack(document.scene.peek()), playback.time.peek());
+    return discRadius(screenSpacing(spacing, view.camera.peek().scale));
+  }
+
+  return {
+    document,
+    get keyframe() {
+      return document.activeKeyframe.peek();
+    },
+    get camera() {
+      return view.camera.peek();
+    },
+    get shape() {
+      return settings.shape.peek();
+    },
+    get spacing() {
+      return settings.spacing.peek();
+    },
+    get tieScope() {
+      return settings.tieScope.peek();
+    },
+    agentAt: ({ screen, pointer }) =>
+      agentAt(parts.shownXy(), view.camera.peek(), screen, agentReach(radius(), pointer)),
+    tieAt({ screen, pointer }) {
+      const pairs = parts.ties.peek()[document.activeKeyframe.peek()]?.pairs;
+      if (!pairs) return null;
+      const tie = tieAt(pairs, parts.shownXy(), view.camera.peek(), screen, tieReach(pointer));
+      return tie === null ? null : [pairs[2 * tie] ?? 0, pairs[2 * tie + 1] ?? 0];
+    },
+    handleAt({ screen, pointer }) {
+      const selected = selectedAgents(document.scene.peek(), document.selection.peek());
+      const bounds = selected.size > 1 ? selectionBounds(parts.shownXy(), selected) : null;
+      if (!bounds || document.selection.peek().kind === "tie") return null;
+      return handleAt(selectionBox(bounds, view.camera.peek(), radius()), screen, handleReach(pointer));
+    },
+    agentsWithin: (from, to) => agentsWithin(parts.shownXy(), from, to),
+    inWords: (meters) => lengthWithUnit(meters, document.scene.peek().stage.units),
+    assign: (source, target) => parts.engine.assign(source, target),
+    panBy: (dx, dy) => view.panBy(dx, dy),
+    announce: parts.announce,
+    warn: parts.warn,
+  };
+}

@@ -1,0 +1,149 @@
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { keyframeLabel } from "../document/queries";
+import { mainTrack } from "../document/scene";
+import { momentAt } from "../document/timing";
+import { createEditor, type ToolParts } from "./create-editor";
+import { drawTool } from "./draw";
+import { groupTool } from "./group";
+import { panTool } from "./pan";
+import { selectTool } from "./select";
+import { shapeTool } from "./shape";
+import { tieTool } from "./tie";
+import { type Editor, NO_OVERLAY, type Press, type Tool, type ToolEvent } from "./tool";
+import type { Overlay, ShapeName, Spacing, Toolbox, ToolName } from "./toolbox";
+
+/** A toolbox that hears the pointer. */
+export interface ToolboxAtWork extends Toolbox {
+  send(event: ToolEvent): void;
+  /** Gives up the gesture under way; whether there was one. */
+  cancel(): boolean;
+  /** While it is held, the stage pans under any tool. */
+  holdSpace(): void;
+  /** Whether it was held to pan. */
+  releaseSpace(): boolean;
+  readonly isSpaceHeld: ReadonlySignal<boolean>;
+  /** Called when a pan with Space held begins. */
+  notePan(): void;
+}
+
+/** Agents that a first stroke or shape makes. */
+const FIRST_COUNT = 12;
+
+export function createToolbox(parts: ToolParts): ToolboxAtWork {
+  const active = signal<ToolName>("select");
+  const shape = signal<ShapeName>("circle");
+  const spacing = signal<Spacing>({ by: "count", count: FIRST_COUNT });
+  const tieScope = signal<"scene" | "keyframe">("scene");
+  const isSpaceHeld = signal(false);
+  const editor = createEditor(parts, { shape, spacing, tieScope });
+
+  const hands: Readonly<Record<ToolName, Hand>> = {
+    select: inHand(selectTool, editor),
+    draw: inHand(drawTool, editor),
+    shape: inHand(shapeTool, editor),
+    tie: inHand(tieTool, editor),
+    group: inHand(groupTool, editor),
+    pan: inHand(panTool, editor),
+  };
+  let isPressed = false;
+  /** The rest of a press that only stopped the show. */
+  let isSwallowed = false;
+  let hasPanned = false;
+
+  function cancel(): boolean {
+    const wasPressed = isPressed;
+    isPressed = false;
+    isSwallowed = false;
+    hands[active.peek()].send({ kind: "cancel" });
+    return wasPressed;
+  }
+
+  // A tool that is put away gives up what it was doing.
+  let last = active.peek();
+  effect(() => {
+    const next = active.value;
+    if (next === last) return;
+    hands[last].send({ kind: "cancel" });
+    isPressed = false;
+    last = next;
+  });
+
+  return {
+    active,
+    shape,
+    spacing,
+    tieScope,
+    overlay: computed(() => hands[active.value].overlay.value),
+    cursor: computed(() => (isSpaceHeld.value ? "grab" : hands[active.value].cursor.value)),
+    isSpaceHeld,
+    send(event) {
+      if (event.kind === "cancel") {
+        cancel();
+        return;
+      }
+      if (event.kind === "press") {
+        isPressed = true;
+        isSwallowed = settle(event, active.peek(), parts, editor);
+      }
+      parts.view.hovered.value = isPressed ? null : editor.agentAt(event);
+      if (!isSwallowed) hands[active.peek()].send(event);
+      if (event.kind === "release") {
+        isPressed = false;
+        isSwallowed = false;
+      }
+    },
+    cancel,
+    holdSpace() {
+      isSpaceHeld.value = true;
+      hasPanned = false;
+    },
+    releaseSpace() {
+      isSpaceHeld.value = false;
+      return hasPanned;
+    },
+    notePan() {
+      hasPanned = true;
+    },
+  };
+}
+
+/**
+ * Edits happen at a keyframe: a press while agents move first goes to the nearest one and says so.
+ *
+ * Whether the rest of the press is for nothing else: an agent would be dragged from where it no longer is.
+ */
+function settle(press: Press, tool: ToolName, { document, playback, announce }: ToolParts, editor: Editor): boolean {
+  if (tool === "pan") return false;
+  playback.pause();
+  const scene = document.scene.peek();
+  const moment = momentAt(scene, playback.time.peek());
+  if (moment.kind === "standing") {
+    document.activeKeyframe.value = moment.keyframe;
+    return false;
+  }
+  const agent = editor.agentAt(press);
+  playback.seek(mainTrack(scene).keyframes[moment.nearest]?.time ?? 0);
+  document.activeKeyframe.value = moment.nearest;
+  announce(`${keyframeLabel(scene, moment.nearest)}: changes are made at keyframes`);
+  if (tool === "draw" || tool === "shape") return false;
+  if (agent !== null) document.selection.value = { kind: "agents", agents: new Set([agent]) };
+  return true;
+}
+
+/** A tool with the state it is in. */
+interface Hand {
+  send(event: ToolEvent): void;
+  readonly overlay: ReadonlySignal<Overlay>;
+  readonly cursor: ReadonlySignal<string>;
+}
+
+function inHand<State>(tool: Tool<State>, editor: Editor): Hand {
+  const state = signal(tool.start);
+  return {
+    send(event) {
+      state.value = tool.step(state.peek(), event, editor);
+    },
+    overlay: computed(() => tool.overlay(state.value) ?? NO_OVERLAY),
+    cursor: computed(() => tool.cursor(state.value)),
+  };
+}

@@ -1,0 +1,71 @@
+import { addAgents, placeAgents } from "../document/commands/agents";
+import { Formation, type Point } from "../document/formation";
+import { mostAgents } from "../document/limits";
+import { type Placement, placementAt } from "../document/queries";
+import { mainTrack } from "../document/scene";
+import { snapApart, snapOf } from "../document/snap";
+import { formatCount } from "../document/units";
+import type { Spacing } from "../shapes/spacing";
+import type { Editor } from "./tool";
+
+/** What a stroke or shape does here: bring new agents, or place those there are. */
+export function placementOf(editor: Editor): Placement {
+  const { document, keyframe } = editor;
+  return placementAt(document.scene.peek(), keyframe, document.selection.peek());
+}
+
+/** How many places a stroke or shape makes here: where the agents are given, exactly as many as they are. */
+export function spacingFor(editor: Editor): Spacing {
+  const placement = placementOf(editor);
+  return placement.kind === "add" ? editor.spacing : { by: "count", count: placement.agents.length };
+}
+
+/**
+ * Puts agents on the places of a finished stroke or shape; one undo entry.
+ *
+ * Where agents are given they take the places at once, in order, and then each the one that makes all ways together
+ * shortest, seen from the keyframe before. Resolves when they stand.
+ */
+export async function settlePlaces(editor: Editor, places: readonly Point[], label: string): Promise<void> {
+  const scene = editor.document.scene.peek();
+  const slots = snapApart(places, snapOf(scene));
+  const placement = placementOf(editor);
+  if (placement.kind === "add") {
+    addPlaces(editor, slots, label);
+    return;
+  }
+  const { agents } = placement;
+  if (slots.length !== agents.length) return;
+  const { keyframe } = editor;
+  const before = mainTrack(scene).keyframes[keyframe - 1]?.positions;
+  const gesture = editor.document.beginGesture();
+  gesture.preview(placeAgents(keyframe, agents, slots, Uint32Array.from(agents.keys()), label));
+  editor.announce(`${agents.length} agents placed. ${placement.reason}`);
+  if (before) {
+    const source = Formation.from(agents.map((agent) => before.point(agent)));
+    try {
+      const order = await editor.assign(source, Formation.from(slots));
+      gesture.preview(placeAgents(keyframe, agents, slots, order, label));
+    } catch {
+      editor.warn(
+        "The agents stand in the order drawn.",
+        "The engine did not answer; undo and draw again for shorter ways.",
+      );
+    }
+  }
+  gesture.commit();
+}
+
+function addPlaces(editor: Editor, slots: readonly Point[], label: string): void {
+  const scene = editor.document.scene.peek();
+  const room = mostAgents(scene) - mainTrack(scene).agents.length;
+  if (slots.length > room) {
+    editor.warn(
+      `${formatCount(slots.length)} agents are too many.`,
+      `This show has room for ${formatCount(Math.max(0, room))} more.`,
+    );
+    return;
+  }
+  editor.document.perform(addAgents(slots, label));
+  editor.announce(slots.length === 1 ? "1 agent added" : `${slots.length} agents added`);
+}
