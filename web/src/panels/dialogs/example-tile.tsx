@@ -15,11 +15,13 @@ export interface ExampleTileProps {
   readonly example: ExampleCard;
   /** Null while it loads. */
   readonly preview: Preview | null;
+  /** The focus starts here. */
+  readonly isFirst: boolean;
   onOpen(): void;
 }
 
 /** A card of the gallery; it plays while it has the focus or the pointer. */
-export function ExampleTile({ example, preview, onOpen }: ExampleTileProps) {
+export function ExampleTile({ example, preview, isFirst, onOpen }: ExampleTileProps) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const bar = useRef<HTMLElement>(null);
   const palette = usePalette();
@@ -55,6 +57,7 @@ export function ExampleTile({ example, preview, onOpen }: ExampleTileProps) {
     <button
       type="button"
       class="example"
+      autofocus={isFirst}
       onClick={onOpen}
       onPointerEnter={(event) => setPointed(event.pointerType === "mouse")}
       onPointerLeave={() => setPointed(false)}

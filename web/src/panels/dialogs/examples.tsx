@@ -15,11 +15,17 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
       lead="It opens as your own copy. Your current scene stays one undo away."
       onClose={dialogs.close}
     >
+      {previews.kind === "refused" && (
+        <p class="dialog-text" role="status">
+          The pictures could not be loaded: {previews.problem.what}
+        </p>
+      )}
       <ul class="gallery">
-        {services.examples.map((example) => (
+        {services.examples.map((example, index) => (
           <li key={example.id}>
             <ExampleTile
               example={example}
+              isFirst={index === 0}
               preview={(previews.kind === "here" && previews.value.get(example.id)) || null}
               onOpen={() => {
                 dialogs.close();

@@ -44,6 +44,8 @@ export function Modal({ class: name, label, labelledBy, onClose, children }: Mod
   useLayoutEffect(() => {
     const element = dialog.current;
     element?.showModal();
+    // Without a control that asks for it, the dialog itself has the focus: Close is not what most come for.
+    if (!element?.querySelector("[autofocus]")) element?.focus();
     // Closed before it leaves the page: only then does the browser return the focus.
     return () => element?.close();
   }, []);
@@ -52,6 +54,7 @@ export function Modal({ class: name, label, labelledBy, onClose, children }: Mod
     <dialog
       ref={dialog}
       class={name}
+      tabIndex={-1}
       aria-label={label}
       aria-labelledby={labelledBy}
       onCancel={(event) => {

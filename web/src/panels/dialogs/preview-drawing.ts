@@ -4,7 +4,9 @@ import type { Preview } from "./services";
 
 const PADDING = 14;
 /** Steps from faint to firm; each is one path a color. */
-const TRAIL_STEPS = 6;
+const TRAIL_STEPS = 10;
+/** Above this the ribbons are too fine for bends within a step. */
+const MANY_AGENTS = 500;
 /** Alpha of the faintest step, and how firm the nearest is beside the stage's trails. */
 const FAINTEST = 0.03;
 const FIRMEST = 0.75;
@@ -34,7 +36,7 @@ export function drawPreview(canvas: HTMLCanvasElement, preview: Preview, t: numb
   const fit = fitOf(preview, width, height);
   const byColor = agentsByColor(preview);
   for (const [color, agents] of byColor) {
-    context.strokeStyle = palette.shown(color);
+    context.fillStyle = palette.shown(color);
     drawTrails(context, preview, agents, t, fit, palette.trailAlpha * FIRMEST);
   }
   for (const [color, agents] of byColor) {
@@ -49,6 +51,7 @@ export function drawPreview(canvas: HTMLCanvasElement, preview: Preview, t: numb
   }
 }
 
+/** Ribbons from faint to firm, thin to thick; each step of alpha is one path. */
 function drawTrails(
   context: CanvasRenderingContext2D,
   preview: Preview,
@@ -57,27 +60,40 @@ function drawTrails(
   fit: Fit,
   firmest: number,
 ): void {
-  context.lineCap = "butt";
-  context.lineJoin = "round";
+  const pieces = preview.agentCount > MANY_AGENTS ? 1 : 3;
   for (let step = 0; step < TRAIL_STEPS; step += 1) {
-    const share = (step + 1) / TRAIL_STEPS;
-    context.globalAlpha = FAINTEST + (firmest - FAINTEST) * share * share;
-    context.lineWidth = Math.max(0.5, fit.radius * 1.7 * share);
+    const share = (step + 0.5) / TRAIL_STEPS;
+    context.globalAlpha = FAINTEST + (firmest - FAINTEST) * share ** 1.6;
     context.beginPath();
     for (const agent of agents) {
-      const pieces = 4;
-      for (let piece = 0; piece <= pieces; piece += 1) {
-        const [x, y] = placeAt(preview, agent, (t * (step + piece / pieces)) / TRAIL_STEPS, fit);
-        if (piece === 0) context.moveTo(x, y);
-        else context.lineTo(x, y);
+      for (let piece = 0; piece < pieces; piece += 1) {
+        const from = (step + piece / pieces) / TRAIL_STEPS;
+        const to = (step + (piece + 1) / pieces) / TRAIL_STEPS;
+        addPiece(context, placeAt(preview, agent, t * from, fit), placeAt(preview, agent, t * to, fit), from, to, fit);
       }
     }
-    context.stroke();
+    context.fill();
   }
   context.globalAlpha = 1;
 }
 
-function placeAt(preview: Preview, agent: number, t: number, fit: Fit): [x: number, y: number] {
+type Place = readonly [x: number, y: number];
+
+/** A stretch of a ribbon; `from` and `to` are where it lies along it, 0..1. */
+function addPiece(context: CanvasRenderingContext2D, a: Place, b: Place, from: number, to: number, fit: Fit): void {
+  const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+  const length = Math.hypot(dx, dy);
+  if (length < 0.05) return;
+  const [across, up] = [-dy / length, dx / length];
+  const widest = fit.radius * 0.95;
+  const [thin, thick] = [0.2 + (widest - 0.2) * from, 0.2 + (widest - 0.2) * to];
+  context.moveTo(a[0] + across * thin, a[1] + up * thin);
+  context.lineTo(b[0] + across * thick, b[1] + up * thick);
+  context.lineTo(b[0] - across * thick, b[1] - up * thick);
+  context.lineTo(a[0] - across * thin, a[1] - up * thin);
+}
+
+function placeAt(preview: Preview, agent: number, t: number, fit: Fit): Place {
   const at = clamp(t, 0, 1) * (preview.sampleCount - 1);
   const sample = Math.min(Math.floor(at), preview.sampleCount - 2);
   const share = at - sample;

@@ -1,7 +1,7 @@
 import "./dialogs.css";
 import "./share.css";
 import { Lock } from "lucide";
-import { useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Scene } from "../../document/scene";
 import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
@@ -53,7 +53,12 @@ export function ShareDialog({ services, dialogs }: DialogProps) {
 function LinkRow({ link }: { link: string }) {
   const { messages } = useStudio();
   const field = useRef<HTMLInputElement>(null);
+  const button = useRef<HTMLButtonElement>(null);
   const [copied, setCopied] = useState<"no" | "yes" | "refused">("no");
+  useLayoutEffect(() => {
+    // The link comes a moment after the dialog; whoever has moved on meanwhile is left alone.
+    if (document.activeElement?.matches("dialog")) button.current?.focus();
+  }, []);
   const copy = async () => {
     try {
       await navigator.clipboard.writeText(link);
@@ -76,7 +81,7 @@ function LinkRow({ link }: { link: string }) {
         value={link}
         onFocus={(event) => event.currentTarget.select()}
       />
-      <button type="button" class="button primary" autofocus onClick={copy}>
+      <button ref={button} type="button" class="button primary" onClick={copy}>
         Copy link
       </button>
       <p class="link-note" role="status">
