@@ -13,6 +13,7 @@ pub mod limits;
 pub mod link;
 mod normalize;
 mod number;
+mod open;
 pub(crate) mod place;
 mod queries;
 mod validate;
@@ -23,6 +24,7 @@ pub use csv::{Read, Written, read_csv, write_csv};
 pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS};
 pub use groups::group_ties;
 pub use json::{read_json, write_json};
+pub use open::{Opened, Source, open, open_bytes};
 pub use validate::validate;
 
 use serde::{Deserialize, Serialize};
