@@ -1,0 +1,79 @@
+import { type DBSchema, type IDBPDatabase, openDB } from "idb";
+import { checksum } from "./checksum";
+
+/** One saved scene as it lies in the database. */
+interface Generation {
+  /** Rises with every save; the higher is the newer. */
+  readonly serial: number;
+  /** Of `text`. */
+  readonly checksum: number;
+  /** Scene JSON as the engine wrote it. */
+  readonly text: string;
+}
+
+interface Database extends DBSchema {
+  generations: { key: string; value: Generation };
+}
+
+export type GenerationStore = IDBPDatabase<Database>;
+
+const SLOTS = ["a", "b"] as const;
+
+/** What was saved last. A newest save that does not verify is passed over for the one before, and said. */
+export type Restored =
+  | { readonly kind: "nothing" }
+  | { readonly kind: "text"; readonly text: string; readonly isNewestDamaged: boolean }
+  | { readonly kind: "damaged" };
+
+export function openGenerations(name = "eigenform"): Promise<GenerationStore> {
+  return openDB<Database>(name, 1, {
+    upgrade(database) {
+      database.createObjectStore("generations");
+    },
+  });
+}
+
+/**
+ * Writes over the older of the two generations, so that the newer one survives whatever happens on the way.
+ *
+ * Resolves when the transaction is complete and what lies there verifies.
+ */
+export async function writeGeneration(store: GenerationStore, text: string): Promise<void> {
+  const transaction = store.transaction("generations", "readwrite");
+  // A refused write aborts the transaction; its own promise must have somebody to tell.
+  transaction.done.catch(() => {});
+  const [a, b] = await Promise.all(SLOTS.map((slot) => transaction.store.get(slot)));
+  const [serialA, serialB] = [serialOf(a), serialOf(b)];
+  const slot = serialA <= serialB ? "a" : "b";
+  await transaction.store.put({ serial: Math.max(serialA, serialB, 0) + 1, checksum: checksum(text), text }, slot);
+  await transaction.done;
+  const written: unknown = await store.get("generations", slot);
+  if (!isSound(written) || written.text !== text) throw new Error("what was saved does not read back");
+}
+
+/** The newest generation that verifies. */
+export async function readGenerations(store: GenerationStore): Promise<Restored> {
+  const found: unknown[] = await Promise.all(SLOTS.map((slot) => store.get("generations", slot)));
+  const present = found.filter((generation) => generation !== undefined);
+  const newest = present.filter(isSound).sort((p, q) => q.serial - p.serial)[0];
+  if (!newest) return present.length > 0 ? { kind: "damaged" } : { kind: "nothing" };
+  const isNewestDamaged = present.some((other) => !isSound(other) && claimedSerial(other) > newest.serial);
+  return { kind: "text", text: newest.text, isNewestDamaged };
+}
+
+/** Zero for what does not verify: it is the first to be written over. */
+function serialOf(generation: unknown): number {
+  return isSound(generation) ? generation.serial : 0;
+}
+
+function isSound(value: unknown): value is Generation {
+  if (typeof value !== "object" || value === null) return false;
+  const { serial, checksum: claimed, text } = value as Partial<Generation>;
+  return Number.isInteger(serial) && typeof text === "string" && checksum(text) === claimed;
+}
+
+/** What a damaged generation says of itself; without a number it counts as the newest. */
+function claimedSerial(value: unknown): number {
+  const serial = typeof value === "object" && value !== null ? (value as Partial<Generation>).serial : undefined;
+  return typeof serial === "number" ? serial : Number.POSITIVE_INFINITY;
+}
