@@ -1,1 +1,111 @@
-//! (perform)
+//! From a scene to its motion: scene → tracks → segments → motion → numbers.
+//!
+//! A [`Performer`] keeps what it made for as long as the parts of the scene it came from are the same objects, so that moving one
+//! agent performs two segments anew and nothing else. Long work is a [`SegmentJob`] that is stepped.
+
+mod auto;
+mod brief;
+mod graphs;
+mod job;
+mod performed;
+mod recent;
+mod show;
+mod text;
+
+use std::sync::Arc;
+
+use crate::adjacency::{Adjacency, AdjacencySpec};
+use crate::choice::Choice;
+use crate::error::Error;
+use crate::scene::{Group, Scene};
+
+pub use job::{SegmentJob, Step};
+pub use performed::{Candidate, Performed, Report};
+pub use show::Performance;
+
+use brief::Brief;
+use graphs::Graphs;
+use recent::Recent;
+
+/// Motions of one segment of 1,260 agents over 10 s are 6 MB.
+const MOTION_BYTE_LIMIT: usize = 256 << 20;
+
+/// Makes motions, and remembers the latest.
+pub struct Performer {
+    graphs: Graphs,
+    performed: Recent<Brief, Arc<Performed>>,
+    groups: Arc<Vec<Group>>,
+    adjacency: Arc<AdjacencySpec>,
+    own_adjacency: Vec<Arc<AdjacencySpec>>,
+}
+
+impl Default for Performer {
+    fn default() -> Self {
+        Self {
+            graphs: Graphs::default(),
+            performed: Recent::new(MOTION_BYTE_LIMIT),
+            groups: Arc::default(),
+            adjacency: Arc::default(),
+            own_adjacency: Vec::new(),
+        }
+    }
+}
+
+impl Performer {
+    /// The same scene with parts that equal those of the scene before as the same objects: text that is parsed anew makes new ones.
+    pub fn adopt(&mut self, mut scene: Scene) -> Scene {
+        keep(&mut self.groups, &mut scene.groups);
+        keep(&mut self.adjacency, &mut scene.adjacency);
+        let mut own = Vec::new();
+        for spec in scene.tracks.iter_mut().flat_map(|track| &mut track.keyframes).filter_map(|keyframe| keyframe.adjacency.as_mut()) {
+            if let Some(known) = self.own_adjacency.iter().find(|known| *known == spec) {
+                *spec = known.clone();
+            }
+            own.push(spec.clone());
+        }
+        self.own_adjacency = own;
+        scene
+    }
+
+    /// The ties of a keyframe.
+    pub fn graph(&mut self, scene: &Scene, keyframe: usize) -> Result<Arc<Adjacency>, Error> {
+        Ok(self.graphs.of(scene, keyframe)?.adjacency.clone())
+    }
+
+    /// Starts on segment `index`. `held`: what to use although the segment says `auto`.
+    pub fn begin(&mut self, scene: &Scene, index: usize, held: Option<Choice>) -> SegmentJob {
+        let brief = Brief::of(scene, index, held);
+        match self.performed.get(&brief) {
+            Some(known) => SegmentJob::done(known),
+            None => SegmentJob::new(scene.clone(), index, brief),
+        }
+    }
+
+    /// The whole show, at once.
+    pub fn perform(&mut self, scene: &Scene) -> Result<Performance, Error> {
+        let segments = (0..scene.main_track().segments.len())
+            .map(|index| {
+                let mut job = self.begin(scene, index, None);
+                loop {
+                    if let Step::Done(performed) = job.step(self)? {
+                        return Ok(performed);
+                    }
+                }
+            })
+            .collect::<Result<_, Error>>()?;
+        Ok(Performance::new(scene.clone(), segments))
+    }
+}
+
+/// A scene's motion and numbers.
+pub fn perform(scene: &Scene) -> Result<Performance, Error> {
+    Performer::default().perform(scene)
+}
+
+fn keep<T: PartialEq>(known: &mut Arc<T>, new: &mut Arc<T>) {
+    if **known == **new {
+        *new = known.clone();
+    } else {
+        *known = new.clone();
+    }
+}

@@ -17,7 +17,7 @@ pub use ends::{End, Ends};
 pub use planner::{Planner, plan};
 
 /// A planned way from a source formation to a target formation.
-pub trait Transition {
+pub trait Transition: Send + Sync {
     /// How many agents it moves.
     fn agent_count(&self) -> usize;
 

@@ -1,0 +1,71 @@
+//! One segment as it is played, with the numbers to judge it.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+use serde::Serialize;
+
+use crate::choice::{Choice, Timing};
+use crate::measure::{Curves, Measures};
+use crate::motion::Motion;
+use crate::transition::Transition;
+
+/// The motion of one segment between the departure from one keyframe and the arrival at the next.
+pub struct Performed {
+    /// What moved it.
+    pub choice: Choice,
+    /// What `auto` compared, in the order tried; empty when nothing was chosen.
+    pub candidates: Vec<Candidate>,
+    /// Its samples: departure, the frames between, arrival.
+    pub motion: Motion,
+    /// Over those samples.
+    pub measures: Measures,
+    /// One value a sample.
+    pub curves: Curves,
+    pub(super) transition: Arc<dyn Transition>,
+    pub(super) timing: Timing,
+    pub(super) start: f64,
+    pub(super) end: f64,
+}
+
+/// One way that `auto` tried.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Candidate {
+    /// The method with its options.
+    #[serde(flatten)]
+    pub choice: Choice,
+    /// Mean adjacency distortion.
+    pub distortion: f64,
+    /// Mean turning, radians.
+    pub turning: f64,
+    /// Least distance seen on the frames tried, meters; none for fewer than two agents.
+    pub clearance: Option<f64>,
+    /// What is compared: lower is better.
+    pub score: f64,
+    /// Whether it is the one kept.
+    pub is_chosen: bool,
+}
+
+/// A segment's numbers as the page reads them.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Report<'a> {
+    choice: Choice,
+    #[serde(flatten)]
+    measures: &'a Measures,
+    candidates: &'a [Candidate],
+}
+
+impl Performed {
+    /// Its numbers.
+    pub fn report(&self) -> Report<'_> {
+        Report { choice: self.choice, measures: &self.measures, candidates: &self.candidates }
+    }
+
+    /// Positions at `times` (scene seconds within the segment), from the method itself: `out[k * agent_count + i]`.
+    pub fn positions_into(&self, times: &[f64], out: &mut [DVec2]) {
+        let ts: Vec<f64> = times.iter().map(|time| self.timing.parameter((time - self.start) / (self.end - self.start))).collect();
+        self.transition.evaluate_into(&ts, out);
+    }
+}

@@ -1,0 +1,135 @@
+//! What a person may rely on when a scene is performed.
+
+use std::sync::Arc;
+
+use eigenform::choice::{Alignment, Choice, MethodName, Order};
+use eigenform::formation::Formation;
+use eigenform::perform::{Performed, Performer, Step, perform};
+use eigenform::scene::{Keyframe, Scene, Segment, read_json};
+use glam::DVec2;
+
+/// Three keyframes of nine agents: a block, a wedge that is held, and the block turned.
+fn show() -> Scene {
+    let block: Vec<[f64; 2]> = (0..9).map(|i| [f64::from(i % 3) * 2.0, f64::from(i / 3) * 2.0]).collect();
+    let wedge: Vec<[f64; 2]> = (0..9).map(|i| [f64::from(i) - 4.0, (f64::from(i) - 4.0).abs() * 1.5]).collect();
+    let turned: Vec<[f64; 2]> = block.iter().map(|[x, y]| [-y * 0.9, x * 1.1]).collect();
+    let text = serde_json::json!({
+        "format": "eigenform", "version": 1, "frameRate": 10, "minimumDistance": 0.5,
+        "keyframes": [
+            { "time": 0.5, "positions": block },
+            { "time": 3, "hold": 1, "positions": wedge },
+            { "time": 6, "positions": turned },
+        ],
+    });
+    read_json(&text.to_string()).expect("the show is valid")
+}
+
+fn finish(performer: &mut Performer, scene: &Scene, index: usize, held: Option<Choice>) -> Arc<Performed> {
+    let mut job = performer.begin(scene, index, held);
+    let mut last = -1.0;
+    loop {
+        match job.step(performer).expect("the show can be performed") {
+            Step::Done(performed) => return performed,
+            Step::Progress(progress) => {
+                assert!(progress >= last && progress < 1.0, "progress runs from {last} to {progress}");
+                last = progress;
+            }
+        }
+    }
+}
+
+#[test]
+fn keyframes_are_reached_exactly_and_held() {
+    let scene = show();
+    let performance = perform(&scene).expect("the show can be performed");
+    for (time, keyframe) in [(0.0, 0), (0.5, 0), (3.0, 1), (3.7, 1), (4.0, 1), (6.0, 2), (99.0, 2)] {
+        let expected = scene.main_track().keyframes[keyframe].positions.positions();
+        let largest = performance.positions_at(time).iter().zip(expected).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        assert!(largest <= 1e-9 * scene.main_track().keyframes[keyframe].positions.extent(), "{largest} at {time} s");
+    }
+}
+
+#[test]
+fn frames_are_what_the_methods_say_at_their_times() {
+    let performance = perform(&show()).expect("the show can be performed");
+    let mut count = 0;
+    performance.for_each_frame(|frame, time, positions| {
+        assert_eq!(frame, count);
+        count += 1;
+        for (sampled, exact) in positions.iter().zip(performance.positions_at(time)) {
+            assert!(sampled.distance(exact) <= 1e-12 * 20.0, "frame {frame}: {sampled} and {exact}");
+        }
+    });
+    assert_eq!(count, 61, "six seconds at ten frames a second, and the first");
+}
+
+#[test]
+fn auto_keeps_the_least_score_and_shows_what_it_compared() {
+    let performance = perform(&show()).expect("the show can be performed");
+    for performed in performance.segments() {
+        let least = performed.candidates.iter().map(|candidate| candidate.score).fold(f64::INFINITY, f64::min);
+        let chosen: Vec<_> = performed.candidates.iter().filter(|candidate| candidate.is_chosen).collect();
+        assert_eq!(chosen.len(), 1);
+        assert_eq!((chosen[0].score, chosen[0].choice), (least, performed.choice));
+    }
+}
+
+#[test]
+fn what_was_chosen_when_a_scene_was_saved_is_not_chosen_again() {
+    let mut scene = show();
+    let taken = Choice { method: MethodName::Polar, order: Order::Greedy, alignment: Alignment::Pca, sharing: 0.25 };
+    let Segment::Transition(spec) = &mut scene.tracks[0].segments[0];
+    spec.chosen = Some(taken);
+    let performance = perform(&scene).expect("the show can be performed");
+    assert_eq!(performance.segments()[0].choice, taken);
+    assert!(performance.segments()[0].candidates.is_empty());
+}
+
+#[test]
+fn the_same_scene_has_the_same_motion_to_the_bit() {
+    let bits = |scene: &Scene| -> Vec<u64> {
+        let performance = perform(scene).expect("the show can be performed");
+        performance.segments().iter().flat_map(|s| s.motion.positions().to_vec()).flat_map(|p| [p.x.to_bits(), p.y.to_bits()]).collect()
+    };
+    assert_eq!(bits(&show()), bits(&show()));
+}
+
+#[test]
+fn moving_an_agent_performs_its_two_segments_and_no_other() {
+    let mut performer = Performer::default();
+    let mut scene = show();
+    let track = &mut scene.tracks[0];
+    let last = Keyframe { time: 9.0, ..track.keyframes[0].clone() };
+    track.keyframes.push(last);
+    track.segments.push(track.segments[0].clone());
+    let scene = performer.adopt(scene);
+    let before: Vec<_> = (0..3).map(|index| finish(&mut performer, &scene, index, None)).collect();
+    let mut moved = scene.clone();
+    let mut positions = moved.tracks[0].keyframes[0].positions.positions().to_vec();
+    positions[4] += DVec2::new(0.3, 0.1);
+    moved.tracks[0].keyframes[0].positions = Arc::new(Formation::new(positions));
+    let moved = performer.adopt(moved);
+    let after: Vec<_> = (0..3).map(|index| finish(&mut performer, &moved, index, None)).collect();
+    let is_same: Vec<bool> = before.iter().zip(&after).map(|(a, b)| Arc::ptr_eq(a, b)).collect();
+    assert_eq!(is_same, [false, true, true]);
+}
+
+#[test]
+fn text_parsed_anew_serves_from_the_cache_when_nothing_changed() {
+    let mut performer = Performer::default();
+    let scene = performer.adopt(show());
+    let first = finish(&mut performer, &scene, 0, None);
+    let formations = scene.main_track().keyframes.iter().map(|keyframe| keyframe.positions.clone()).collect();
+    let rest =
+        serde_json::to_string(&serde_json::to_value(&scene).map(without_positions).expect("a scene is JSON")).expect("a scene is JSON");
+    let again = eigenform::scene::document::read(&rest, formations).expect("the rest is valid");
+    let again = performer.adopt(again);
+    assert!(Arc::ptr_eq(&first, &finish(&mut performer, &again, 0, None)));
+}
+
+fn without_positions(mut scene: serde_json::Value) -> serde_json::Value {
+    for keyframe in scene["tracks"][0]["keyframes"].as_array_mut().expect("a track has keyframes") {
+        keyframe.as_object_mut().expect("a keyframe is an object").remove("positions");
+    }
+    scene
+}

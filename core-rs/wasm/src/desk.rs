@@ -1,0 +1,88 @@
+//! Decoding and encoding, so that the door itself is only calls.
+
+use std::sync::Arc;
+
+use eigenform::assignment;
+use eigenform::error::Error;
+use eigenform::formation::Formation;
+use eigenform::perform::{Performed, Performer};
+use eigenform::scene::{self, Scene, Source};
+use glam::DVec2;
+use serde::de::DeserializeOwned;
+use serde_json::json;
+use wasm_bindgen::JsValue;
+
+/// Input the engine refuses, as the page reads it: JSON `{code, what, where}`.
+pub struct Refusal(String);
+
+impl From<Error> for Refusal {
+    fn from(error: Error) -> Self {
+        Self(json!({ "code": error.code(), "what": error.to_string(), "where": error.place() }).to_string())
+    }
+}
+
+impl From<Refusal> for JsValue {
+    fn from(refusal: Refusal) -> Self {
+        Self::from_str(&refusal.0)
+    }
+}
+
+/// A panic reaches the page as an error with its message instead of a bare trap.
+pub fn keep_panic_messages() {
+    std::panic::set_hook(Box::new(|panic| wasm_bindgen::throw_str(&panic.to_string())));
+}
+
+/// JSON that this page's own client wrote.
+pub fn decode<T: DeserializeOwned>(text: &str) -> T {
+    serde_json::from_str(text).expect("the client writes what the protocol says")
+}
+
+pub fn encode<T: serde::Serialize>(value: &T) -> String {
+    serde_json::to_string(value).expect("plain data is JSON")
+}
+
+pub fn formation(xy: &[f64]) -> Formation {
+    Formation::new(xy.chunks_exact(2).map(|p| DVec2::new(p[0], p[1])).collect())
+}
+
+pub fn scene(rest: &str, formations: Vec<Arc<Formation>>) -> Result<Scene, Refusal> {
+    Ok(scene::document::read(rest, formations)?)
+}
+
+pub fn open(text: &str) -> Result<String, Refusal> {
+    let opened = scene::open(text)?;
+    let source = match opened.source {
+        Source::Scene => "scene",
+        Source::Csv => "csv",
+        Source::Link => "link",
+    };
+    Ok(encode(&json!({ "scene": scene::document::write(&opened.scene), "source": source, "notes": opened.notes })))
+}
+
+pub fn keyframes(scene: &Scene) -> String {
+    let written = scene::write_csv(scene);
+    encode(&json!({ "text": written.text, "notes": written.notes }))
+}
+
+pub fn link(scene: &Scene, is_short: bool) -> String {
+    let precision = if is_short { scene::link::Precision::Short } else { scene::link::Precision::Exact };
+    let link = scene::link::encode(scene, precision);
+    encode(&json!({ "fragment": link.fragment, "rounding": link.rounding, "brokenKeyframes": link.broken_keyframes }))
+}
+
+pub fn curves(performed: &Performed) -> Vec<f32> {
+    let curves = &performed.curves;
+    [&curves.clearance, &curves.distortion, &curves.turning, &curves.top_speed, &curves.path_length]
+        .into_iter()
+        .flat_map(|curve| curve.iter().map(|value| *value as f32))
+        .collect()
+}
+
+pub fn motion(performer: &mut Performer, scene: &Scene, format: &str) -> Result<String, Refusal> {
+    let performance = performer.perform(scene)?;
+    Ok(if format == "csv" { performance.to_csv() } else { performance.to_json() })
+}
+
+pub fn assign(source: &Formation, target: &Formation) -> Vec<u32> {
+    assignment::squared(source, target).targets().to_vec()
+}
