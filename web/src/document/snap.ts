@@ -29,7 +29,8 @@ export function nudgeSteps(scene: Scene): { readonly near: number; readonly far:
 }
 
 export function snapValue(value: number, snap: Snap): number {
-  return (Math.round((value * snap.parts) / snap.meters) * snap.meters) / snap.parts;
+  // Adding zero makes a minus zero plain.
+  return (Math.round((value * snap.parts) / snap.meters) * snap.meters) / snap.parts + 0;
 }
 
 export function snapPoint([x, y]: Point, snap: Snap): Point {

@@ -15,6 +15,11 @@ const PINCH_DOUBLING = 70;
 /** Pixels a line of a mouse wheel counts for. */
 const LINE = 16;
 
+/** Pixels below which a step of the wheel is a trackpad's. */
+const FINE = 40;
+/** Milliseconds without a step that end a roll. */
+const ROLL = 200;
+
 /** What the pointers on the stage are doing. */
 type Doing =
   | { readonly kind: "nothing" }
@@ -29,6 +34,7 @@ const NOTHING: Doing = { kind: "nothing" };
 export function attachTools(element: HTMLElement, toolbox: ToolboxAtWork, view: View, isMac: boolean): () => void {
   const fingers = new Map<number, ScreenPoint>();
   let doing: Doing = NOTHING;
+  let lastRoll = { time: Number.NEGATIVE_INFINITY, isFine: false };
   let lastPress = { time: Number.NEGATIVE_INFINITY, screen: { x: 0, y: 0 } };
 
   function screenOf(event: MouseEvent): ScreenPoint {
@@ -137,9 +143,12 @@ export function attachTools(element: HTMLElement, toolbox: ToolboxAtWork, view: 
     event.preventDefault();
     const unit = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : LINE;
     const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+    // A roll stays what it began as: its fast middle part looks like a wheel's.
+    const isSameRoll = event.timeStamp - lastRoll.time < ROLL;
+    lastRoll = { time: event.timeStamp, isFine: isSameRoll ? lastRoll.isFine : isFine(event) };
     if (event.ctrlKey || event.metaKey) view.zoomBy(2 ** (-dy / PINCH_DOUBLING), screenOf(event));
     else if (event.shiftKey) view.panBy(-(dx || dy), 0);
-    else if (isTwoFingers(event)) view.panBy(-dx, -dy);
+    else if (lastRoll.isFine) view.panBy(-dx, -dy);
     else view.zoomBy(2 ** (-dy / WHEEL_DOUBLING), screenOf(event));
   }
 
@@ -165,7 +174,7 @@ export function attachTools(element: HTMLElement, toolbox: ToolboxAtWork, view: 
   };
 }
 
-/** A trackpad scrolls both ways or in fine steps, a mouse wheel down in coarse ones. */
-function isTwoFingers({ deltaMode, deltaX, deltaY }: WheelEvent): boolean {
-  return deltaMode === 0 && (deltaX !== 0 || (Math.abs(deltaY) < 40 && !Number.isInteger(deltaY / 10)));
+/** Two fingers on a trackpad roll both ways or in fine steps, a mouse wheel down in coarse ones. */
+function isFine({ deltaMode, deltaX, deltaY }: WheelEvent): boolean {
+  return deltaMode === WheelEvent.DOM_DELTA_PIXEL && (deltaX !== 0 || Math.abs(deltaY) < FINE);
 }
