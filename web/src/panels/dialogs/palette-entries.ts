@@ -1,8 +1,8 @@
 import { setTransition } from "../../document/commands/transitions";
+import { keyframeLabel } from "../../document/queries";
 import { type MethodName, mainTrack } from "../../document/scene";
 import type { ActionSection } from "../actions";
 import type { Studio } from "../studio";
-import { keyframeName } from "../timeline/keyframe-option";
 import { METHOD_WORDS } from "../timeline/transition-state";
 import { matchLabel, type Part } from "./palette-match";
 
@@ -51,7 +51,7 @@ function methodEntries({ document }: Studio): Entry[] {
 function keyframeEntries({ document, playback }: Studio): Entry[] {
   return mainTrack(document.scene.peek()).keyframes.map((keyframe, index) => ({
     id: `go-to-${index}`,
-    label: `Go to ${keyframeName(keyframe, index)}`,
+    label: `Go to ${keyframeLabel(document.scene.peek(), index)}`,
     section: "Keyframes",
     keys: undefined,
     run() {

@@ -2,13 +2,12 @@ import "./dialogs.css";
 import "./share.css";
 import { Lock } from "lucide";
 import { useLayoutEffect, useRef, useState } from "preact/hooks";
+import { keyframeLabel } from "../../document/queries";
 import type { Scene } from "../../document/scene";
-import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
 import type { LinkReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
 import { useStudio } from "../studio";
-import { keyframeName } from "../timeline/keyframe-option";
 import { Frame } from "./frame";
 import type { DialogProps } from "./host";
 import { LinkMeter } from "./link-meter";
@@ -131,11 +130,7 @@ function ShorterRow({ exact, short, isShort, onToggle }: ShorterRowProps) {
 }
 
 function Cost({ report, scene }: { report: LinkReport; scene: Scene }) {
-  const { keyframes } = mainTrack(scene);
-  const names = report.brokenKeyframes.flatMap((index) => {
-    const keyframe = keyframes[index];
-    return keyframe ? [keyframeName(keyframe, index)] : [];
-  });
+  const names = report.brokenKeyframes.map((index) => keyframeLabel(scene, index));
   const broken = brokenWords(names, scene.minimumDistance, scene.stage.units);
   return (
     <>

@@ -72,13 +72,14 @@ export class KeyframeDrag {
     this.state.value = { kind: "retiming", index, x, gesture };
   }
 
-  /** @returns true when it was a click */
-  release(): boolean {
+  /** @returns where the keyframe is in the order after a drag; null when it was a click */
+  release(): number | null {
     const state = this.state.peek();
     this.state.value = IDLE;
     if (state.kind === "reordering") state.gesture.preview(reorderKeyframe(state.index, state.other));
     if (state.kind === "retiming" || state.kind === "reordering") state.gesture.commit();
-    return state.kind === "pressed";
+    if (state.kind === "reordering") return state.other;
+    return state.kind === "retiming" ? state.index : null;
   }
 
   cancel(): void {

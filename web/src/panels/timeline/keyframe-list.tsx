@@ -1,8 +1,10 @@
-import { useRef } from "preact/hooks";
+import { useRef, useState } from "preact/hooks";
 import { reorderKeyframe } from "../../document/commands/keyframes";
+import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { useStudio } from "../studio";
 import { KeyframeDrag } from "./keyframe-drag";
+import { KeyframeMenu } from "./keyframe-menu";
 import { KeyframeOption } from "./keyframe-option";
 import { keyframePlaces } from "./layout";
 import { THUMBNAIL_WIDTH, xOf } from "./scale";
@@ -11,19 +13,24 @@ import type { Viewport } from "./viewport";
 
 /** The formations of the show at their times. Arrows walk, a drag retimes, a drag onto another takes its place. */
 export function KeyframeList({ viewport }: { viewport: Viewport }) {
-  const { document, playback, messages } = useStudio();
+  const { actions, document, playback, messages } = useStudio();
+  const [menuAt, setMenuAt] = useState<number | null>(null);
   const list = useRef<HTMLDivElement>(null);
   const drag = useRef<KeyframeDrag>(null);
   drag.current ??= new KeyframeDrag(document, () => viewport.scale.peek());
   const dragging = drag.current;
+  const isDragOver = useRef(false);
 
-  const { keyframes } = mainTrack(document.scene.value);
+  const scene = document.scene.value;
+  const { keyframes } = mainTrack(scene);
   const places = keyframePlaces(keyframes, viewport.scale.value);
   const { from, to } = viewport.drawn.value;
   const selection = document.selection.value;
   const state = dragging.state.value;
   const paint = { colors: useAgentColors().value, palette: usePalette() };
   const active = Math.min(document.activeKeyframe.value, keyframes.length - 1);
+
+  const isSelected = (index: number) => selection.kind === "keyframe" && selection.index === index;
 
   const choose = (index: number) => {
     const keyframe = mainTrack(document.scene.peek()).keyframes[index];
@@ -42,71 +49,108 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
     messages.announce(`Moved to place ${other + 1} of ${keyframes.length}`);
   };
 
+  const remove = (index: number) => {
+    choose(index);
+    if (keyframes.length > 1) actions.get("delete-keyframe").run();
+    queueMicrotask(() => option(list.current, document.activeKeyframe.peek())?.focus());
+  };
+
+  const menuAnchor = menuAt === null ? null : option(list.current, menuAt);
   return (
-    <div
-      ref={list}
-      class="keyframes"
-      role="listbox"
-      aria-label="Keyframes"
-      aria-orientation="horizontal"
-      onKeyDown={(event) => {
-        const index = indexOf(event.target);
-        if (index === null) return;
-        if (event.key === "Escape" && state.kind !== "idle") dragging.cancel();
-        else if (event.altKey && event.key === "ArrowLeft") reorder(index, index - 1);
-        else if (event.altKey && event.key === "ArrowRight") reorder(index, index + 1);
-        else if (event.key === "ArrowLeft") choose(Math.max(0, index - 1));
-        else if (event.key === "ArrowRight") choose(Math.min(keyframes.length - 1, index + 1));
-        else if (event.key === "Home") choose(0);
-        else if (event.key === "End") choose(keyframes.length - 1);
-        else if (event.key === "Enter") choose(index);
-        else return;
-        event.preventDefault();
-        event.stopPropagation();
-      }}
-    >
-      {keyframes.map((keyframe, index) => {
-        const place = places[index] ?? { x: xOf(viewport.scale.value, keyframe.time), right: 0 };
-        return (
-          <KeyframeOption
-            key={index}
-            index={index}
-            keyframe={keyframe}
-            place={place}
-            isSelected={selection.kind === "keyframe" && selection.index === index}
-            isFocusable={index === active}
-            paint={place.x + THUMBNAIL_WIDTH > from && place.x - THUMBNAIL_WIDTH < to ? paint : null}
-            mark={
-              state.kind === "reordering" && state.other === index
-                ? "target"
-                : (state.kind === "retiming" || state.kind === "reordering") && state.index === index
-                  ? "dragged"
-                  : "none"
-            }
-            handlers={{
-              onPointerDown(event) {
-                if (event.button !== 0 || !event.isPrimary) return;
-                event.currentTarget.setPointerCapture(event.pointerId);
-                dragging.press(index, event.clientX + viewport.scroll.peek());
-              },
-              onPointerMove(event) {
-                dragging.move({
-                  x: event.clientX + viewport.scroll.peek(),
-                  isRipple: event.altKey,
-                  playhead: playback.time.peek(),
-                });
-              },
-              onPointerUp() {
-                if (dragging.release()) choose(index);
-              },
-              onPointerCancel() {
-                dragging.cancel();
-              },
-            }}
-          />
-        );
-      })}
-    </div>
+    <>
+      <div
+        ref={list}
+        class="keyframes"
+        role="listbox"
+        aria-label="Keyframes"
+        aria-orientation="horizontal"
+        onKeyDown={(event) => {
+          const index = indexOf(event.target);
+          if (index === null) return;
+          if (event.key === "Escape" && state.kind !== "idle") dragging.cancel();
+          else if (event.altKey && event.key === "ArrowLeft") reorder(index, index - 1);
+          else if (event.altKey && event.key === "ArrowRight") reorder(index, index + 1);
+          else if (event.key === "ArrowLeft") choose(Math.max(0, index - 1));
+          else if (event.key === "ArrowRight") choose(Math.min(keyframes.length - 1, index + 1));
+          else if (event.key === "Home") choose(0);
+          else if (event.key === "End") choose(keyframes.length - 1);
+          else if (event.key === "Enter") choose(index);
+          else if (event.key === " ") actions.get("play").run();
+          else if (event.key === "Delete" || event.key === "Backspace") remove(index);
+          else return;
+          event.preventDefault();
+          event.stopPropagation();
+        }}
+      >
+        {keyframes.map((keyframe, index) => {
+          const place = places[index] ?? { x: xOf(viewport.scale.value, keyframe.time), right: 0 };
+          return (
+            <KeyframeOption
+              key={index}
+              index={index}
+              name={keyframeLabel(scene, index)}
+              keyframe={keyframe}
+              place={place}
+              isSelected={isSelected(index)}
+              isFocusable={index === active}
+              paint={place.x + THUMBNAIL_WIDTH > from && place.x - THUMBNAIL_WIDTH < to ? paint : null}
+              mark={
+                state.kind === "reordering" && state.other === index
+                  ? "target"
+                  : (state.kind === "retiming" || state.kind === "reordering") && state.index === index
+                    ? "dragged"
+                    : "none"
+              }
+              handlers={{
+                onPointerDown(event) {
+                  if (event.button !== 0 || !event.isPrimary) return;
+                  // A finger scrolls; it takes hold only of the keyframe that is selected.
+                  if (event.pointerType === "touch" && !isSelected(index)) return;
+                  event.stopPropagation();
+                  event.currentTarget.setPointerCapture(event.pointerId);
+                  dragging.press(index, viewport.trackX(event.clientX, event.currentTarget));
+                },
+                onPointerMove(event) {
+                  dragging.move({
+                    x: viewport.trackX(event.clientX, event.currentTarget),
+                    isRipple: event.altKey,
+                    playhead: playback.time.peek(),
+                  });
+                },
+                onPointerUp() {
+                  const dragged = dragging.release();
+                  isDragOver.current = dragged !== null;
+                  if (dragged !== null) choose(dragged);
+                },
+                onPointerCancel() {
+                  dragging.cancel();
+                },
+                onClick() {
+                  // The click that ends a drag is no click on a keyframe.
+                  if (!isDragOver.current) choose(index);
+                  isDragOver.current = false;
+                },
+                onContextMenu(event) {
+                  event.preventDefault();
+                  choose(index);
+                  setMenuAt(index);
+                },
+              }}
+            />
+          );
+        })}
+      </div>
+      {menuAt !== null && menuAnchor && (
+        <KeyframeMenu
+          index={menuAt}
+          anchor={menuAnchor}
+          onClose={(index) => {
+            setMenuAt(null);
+            choose(index);
+          }}
+        />
+      )}
+    </>
   );
 }
 

@@ -8,6 +8,7 @@ import { Thumbnail, type ThumbnailProps } from "./thumbnail";
 
 export interface KeyframeOptionProps {
   readonly index: number;
+  readonly name: string;
   readonly keyframe: Keyframe;
   readonly place: KeyframePlace;
   readonly isSelected: boolean;
@@ -17,22 +18,17 @@ export interface KeyframeOptionProps {
   readonly mark: "none" | "dragged" | "target";
   readonly handlers: Pick<
     JSX.HTMLAttributes<HTMLDivElement>,
-    "onPointerDown" | "onPointerMove" | "onPointerUp" | "onPointerCancel" | "onContextMenu"
+    "onPointerDown" | "onPointerMove" | "onPointerUp" | "onPointerCancel" | "onClick" | "onContextMenu"
   >;
-}
-
-export function keyframeName(keyframe: Keyframe, index: number): string {
-  return keyframe.name || `Keyframe ${index + 1}`;
 }
 
 /** A keyframe: the formation in small at its time, drawn on to the right for as long as it holds. */
 export function KeyframeOption(props: KeyframeOptionProps) {
-  const { index, keyframe, place, mark } = props;
-  const name = keyframeName(keyframe, index);
+  const { index, name, keyframe, place, mark } = props;
   const hold = place.right - place.x - THUMBNAIL_WIDTH / 2;
   return (
     <div
-      ref={placed(place.x)}
+      ref={placed(place.x - THUMBNAIL_WIDTH / 2)}
       class={`keyframe is-${mark}`}
       role="option"
       aria-selected={props.isSelected}
@@ -42,7 +38,7 @@ export function KeyframeOption(props: KeyframeOptionProps) {
       data-index={index}
       {...props.handlers}
     >
-      {hold > 0 && <i ref={placed(THUMBNAIL_WIDTH / 2, hold)} class="hold-bar" />}
+      {hold > 0 && <i ref={placed(THUMBNAIL_WIDTH, hold)} class="hold-bar" />}
       <span class="thumbnail">{props.paint && <Thumbnail formation={keyframe.positions} {...props.paint} />}</span>
       <span class="keyframe-name">{mark === "dragged" ? shortTime(Math.round(keyframe.time * 100) / 100) : name}</span>
     </div>

@@ -2,7 +2,7 @@ import type { LoopRange } from "../../playback/playback";
 import { useStudio } from "../studio";
 import { shortTime } from "./clock";
 import { placed } from "./place";
-import { xOf } from "./scale";
+import { timeAt, xOf } from "./scale";
 import type { Viewport } from "./viewport";
 
 const SHORTEST_RANGE = 0.1;
@@ -69,9 +69,8 @@ function End({ label, viewport, time, least, most, change }: EndProps) {
         event.currentTarget.setPointerCapture(event.pointerId);
       }}
       onPointerMove={(event) => {
-        const window = event.currentTarget.closest(".track-window");
-        if (!window || !event.currentTarget.hasPointerCapture(event.pointerId)) return;
-        move(viewport.timeAtPointer(event.clientX, window));
+        if (!event.currentTarget.hasPointerCapture(event.pointerId)) return;
+        move(timeAt(viewport.scale.peek(), viewport.trackX(event.clientX, event.currentTarget)));
       }}
       onKeyDown={(event) => {
         const step = event.shiftKey ? 1 : 0.1;

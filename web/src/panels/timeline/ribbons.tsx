@@ -1,6 +1,6 @@
+import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { useStudio } from "../studio";
-import { keyframeName } from "./keyframe-option";
 import { keyframePlaces, transitionPlaces } from "./layout";
 import { Ribbon } from "./ribbon-button";
 import { transitionState } from "./transition-state";
@@ -22,14 +22,12 @@ export function Ribbons({ viewport }: { viewport: Viewport }) {
       <RibbonPaints />
       <ul class="ribbons" aria-label="Transitions">
         {places.map((place, index) => {
-          const [source, target] = [keyframes[index], keyframes[index + 1]];
-          if (!source || !target || place.width < LEAST_WIDTH) return null;
-          if (place.left + place.width < from || place.left > to) return null;
+          if (place.width < LEAST_WIDTH || place.left + place.width < from || place.left > to) return null;
           return (
             <Ribbon
               key={index}
               index={index}
-              names={`${keyframeName(source, index)} to ${keyframeName(target, index + 1)}`}
+              names={`${keyframeLabel(scene, index)} to ${keyframeLabel(scene, index + 1)}`}
               place={place}
               state={transitionState(plans[index], scene.minimumDistance)}
               isSelected={selection.kind === "transition" && selection.index === index}

@@ -8,7 +8,7 @@ export interface Scale {
 export const THUMBNAIL_WIDTH = 76;
 
 /** What a ribbon between two thumbnails needs to show its shape and its label. */
-const RIBBON_ROOM = 72;
+const RIBBON_ROOM = 108;
 const LEAST_ZOOM = 0.5;
 const MOST_ZOOM = 400;
 /** A scene of one keyframe shows about a minute of room. */
@@ -38,13 +38,12 @@ export function clampZoom(pixelsPerSecond: number): number {
  * The zoom a person meets first: the whole show where its keyframes stay legible, else such that the typical
  * interval shows its ribbon.
  *
- * @param times of the keyframes, ascending
+ * @param intervals seconds from leaving each keyframe to arriving at the next
  */
-export function fittedZoom(times: readonly number[], duration: number, width: number, margins: Margins): number {
+export function fittedZoom(intervals: readonly number[], duration: number, width: number, margins: Margins): number {
   if (duration <= 0 || width <= 0) return EMPTY_ZOOM;
   const fits = (width - margins.lead - margins.tail) / duration;
-  const gaps = times.slice(1).map((time, index) => time - (times[index] ?? 0));
-  const typical = gaps.sort((a, b) => a - b)[gaps.length >> 1] ?? duration;
+  const typical = [...intervals].sort((a, b) => a - b)[intervals.length >> 1] ?? duration;
   const legible = (THUMBNAIL_WIDTH + RIBBON_ROOM) / typical;
   return clampZoom(fits < legible ? legible : Math.min(fits, MOST_FITTED_ZOOM));
 }

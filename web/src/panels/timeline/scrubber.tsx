@@ -1,6 +1,7 @@
 import { useRef } from "preact/hooks";
 import type { LoopRange } from "../../playback/playback";
 import { useStudio } from "../studio";
+import { timeAt } from "./scale";
 import type { Viewport } from "./viewport";
 
 type ScrubState =
@@ -17,7 +18,7 @@ export function Scrubber({ viewport }: { viewport: Viewport }) {
   const state = useRef<ScrubState>({ kind: "idle" });
 
   const timeOf = (event: PointerEvent & { readonly currentTarget: Element }) => {
-    const time = viewport.timeAtPointer(event.clientX, event.currentTarget);
+    const time = timeAt(viewport.scale.peek(), viewport.trackX(event.clientX, event.currentTarget));
     return Math.min(playback.duration.peek(), Math.max(0, time));
   };
 
@@ -26,6 +27,7 @@ export function Scrubber({ viewport }: { viewport: Viewport }) {
       class="scrubber"
       onPointerDown={(event) => {
         if (event.button !== 0 || !event.isPrimary) return;
+        event.stopPropagation();
         event.currentTarget.setPointerCapture(event.pointerId);
         const time = timeOf(event);
         state.current = event.shiftKey

@@ -2,6 +2,7 @@ import { useSignalEffect } from "@preact/signals";
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import { useStudio } from "../studio";
 import { EmptySlot } from "./empty-slot";
+import { HoldHandle } from "./hold-handle";
 import { KeyframeList } from "./keyframe-list";
 import { LoopBar } from "./loop-bar";
 import { Overview } from "./overview";
@@ -9,6 +10,7 @@ import { Playhead, TimeSlider } from "./playhead";
 import { Ribbons } from "./ribbons";
 import { RulerStrip } from "./ruler-strip";
 import { Scrubber } from "./scrubber";
+import { TrackTouch } from "./track-touch";
 import { Transport } from "./transport";
 import { createViewport } from "./viewport";
 import "./timeline.css";
@@ -17,6 +19,7 @@ import "./timeline.css";
 export function Timeline() {
   const { document, playback } = useStudio();
   const viewport = useMemo(() => createViewport(document, playback), [document, playback]);
+  const touch = useMemo(() => new TrackTouch(viewport), [viewport]);
   const window = useRef<HTMLDivElement>(null);
   const track = useRef<HTMLDivElement>(null);
 
@@ -46,6 +49,18 @@ export function Timeline() {
         ref={window}
         id="timeline-track"
         class="track-window"
+        onPointerDown={(event) => {
+          if (event.pointerType === "touch") touch.down(event.pointerId, event.clientX);
+        }}
+        onPointerMove={(event) => {
+          if (event.pointerType !== "touch") return;
+          touch.move(event.pointerId, event.clientX, event.currentTarget.getBoundingClientRect().left);
+        }}
+        onPointerUp={(event) => touch.up(event.pointerId)}
+        onPointerCancel={(event) => touch.up(event.pointerId)}
+        onClickCapture={(event) => {
+          if (touch.takesClick()) event.stopPropagation();
+        }}
         onWheel={(event) => {
           event.preventDefault();
           const left = event.currentTarget.getBoundingClientRect().left;
@@ -59,6 +74,7 @@ export function Timeline() {
           <LoopBar viewport={viewport} />
           <Ribbons viewport={viewport} />
           <KeyframeList viewport={viewport} />
+          <HoldHandle viewport={viewport} />
           <EmptySlot viewport={viewport} />
           <TimeSlider />
           <Playhead viewport={viewport} />

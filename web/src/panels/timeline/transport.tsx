@@ -1,130 +1,149 @@
-import { useComputed, useSignalEffect } from "@preact/signals";
-import { Copy, Pause, Play, Plus, Repeat, SkipBack, SkipForward, Trash2 } from "lucide";
-import { useRef } from "preact/hooks";
-import { mainTrack } from "../../document/scene";
-import { formatTime } from "../../document/units";
+import type { IconNode } from "lucide";
+import { Copy, Ellipsis, Pause, Play, Plus, Repeat, SkipBack, SkipForward, Trash2 } from "lucide";
 import { Icon } from "../../theme/icons";
+import { PopoverButton } from "../controls/popover";
 import { useStudio } from "../studio";
-import { shortTime } from "./clock";
+import { keyName, keyShortcuts, useAction } from "../use-action";
+import { Clock } from "./clock-face";
 import { Legend } from "./legend";
-
-const SPEEDS = [0.25, 0.5, 0.75, 1, 1.5, 2];
+import { SpeedMenu } from "./speed-menu";
 
 /** Play, where the show is, how it repeats; at the right what one does to keyframes. */
 export function Transport() {
   const { playback } = useStudio();
   const isEmpty = playback.duration.value <= 0;
-  const isPlaying = playback.isPlaying.value;
   return (
     <div class="transport">
-      <button
-        type="button"
-        class="icon-button"
-        aria-label="To start"
-        disabled={isEmpty}
-        onClick={() => playback.seek(0)}
-      >
-        <Icon node={SkipBack} />
-      </button>
-      <button
-        type="button"
-        class="play-button"
-        aria-label={isPlaying ? "Pause" : "Play"}
-        aria-keyshortcuts="Space"
-        disabled={isEmpty}
-        onClick={() => playback.toggle()}
-      >
-        <Icon node={isPlaying ? Pause : Play} size={14} />
-      </button>
-      <button
-        type="button"
-        class="icon-button"
-        aria-label="To end"
-        disabled={isEmpty}
-        onClick={() => playback.seek(playback.duration.value)}
-      >
-        <Icon node={SkipForward} />
-      </button>
+      <ActionButton id="go-to-start" name="To start" node={SkipBack} isOff={isEmpty} />
+      <PlayButton />
+      <ActionButton id="go-to-end" name="To end" node={SkipForward} isOff={isEmpty} />
       <Clock />
-      <button
-        type="button"
-        class="icon-button loop-button"
-        aria-label="Loop"
-        aria-pressed={playback.isLooping.value}
-        onClick={() => {
-          playback.isLooping.value = !playback.isLooping.value;
-        }}
-      >
-        <Icon node={Repeat} />
-      </button>
-      <select
-        class="speed number"
-        aria-label="Speed"
-        value={String(playback.speed.value)}
-        onChange={(event) => {
-          playback.speed.value = Number(event.currentTarget.value);
-        }}
-      >
-        {SPEEDS.map((speed) => (
-          <option key={speed} value={String(speed)}>
-            {speed}×
-          </option>
-        ))}
-      </select>
+      <span class="transport-wide">
+        <LoopButton />
+        <SpeedMenu />
+      </span>
       <span class="transport-gap" />
       <Legend />
-      <KeyframeButtons />
+      <span class="transport-wide keyframe-buttons">
+        <ActionButton id="duplicate-keyframe" name="Duplicate keyframe" node={Copy} />
+        <ActionButton id="delete-keyframe" name="Delete keyframe" node={Trash2} />
+      </span>
+      <More />
+      <AddButton />
     </div>
   );
 }
 
-/** Written straight into the text while the show runs: a frame renders nothing. */
-function Clock() {
+function PlayButton() {
   const { playback } = useStudio();
-  const now = useRef<HTMLSpanElement>(null);
-  const text = useComputed(() => formatTime(playback.time.value));
-  useSignalEffect(() => {
-    if (now.current) now.current.textContent = text.value;
-  });
+  const { action, isEnabled } = useAction("play");
+  const isPlaying = playback.isPlaying.value;
   return (
-    <span class="clock number">
-      <span ref={now} class="clock-now" /> <span class="unit">/ {shortTime(playback.duration.value)}</span>
-    </span>
+    <button
+      type="button"
+      class="play-button"
+      aria-label={isPlaying ? "Pause" : "Play"}
+      aria-keyshortcuts={keyShortcuts(action.keys)}
+      disabled={!isEnabled}
+      data-tip={isPlaying ? "Pause" : "Play"}
+      data-tip-side="top"
+      data-keys={action.keys[0] && keyName(action.keys[0])}
+      onClick={() => action.run()}
+    >
+      <Icon node={isPlaying ? Pause : Play} size={14} />
+    </button>
   );
 }
 
-function KeyframeButtons() {
-  const { actions, document } = useStudio();
-  const isOnly = mainTrack(document.scene.value).keyframes.length < 2;
+function ActionButton(props: { id: string; name: string; node: IconNode; isOff?: boolean }) {
+  const { action, isEnabled } = useAction(props.id);
   return (
-    <div class="keyframe-buttons">
-      <button
-        type="button"
-        class="icon-button"
-        aria-label="Duplicate keyframe"
-        onClick={() => actions.get("duplicate-keyframe").run()}
-      >
-        <Icon node={Copy} />
-      </button>
-      <button
-        type="button"
-        class="icon-button"
-        aria-label="Delete keyframe"
-        disabled={isOnly}
-        onClick={() => actions.get("delete-keyframe").run()}
-      >
-        <Icon node={Trash2} />
-      </button>
-      <button
-        type="button"
-        class="button"
-        aria-label="Add keyframe"
-        aria-keyshortcuts="K"
-        onClick={() => actions.get("add-keyframe").run()}
-      >
-        <Icon node={Plus} size={14} />
-        Keyframe
-      </button>
-    </div>
+    <button
+      type="button"
+      class="icon-button"
+      aria-label={props.name}
+      aria-keyshortcuts={keyShortcuts(action.keys)}
+      disabled={!isEnabled || props.isOff}
+      data-tip={props.name}
+      data-tip-side="top"
+      data-keys={action.keys[0] && keyName(action.keys[0])}
+      onClick={() => action.run()}
+    >
+      <Icon node={props.node} />
+    </button>
+  );
+}
+
+function LoopButton() {
+  const { playback } = useStudio();
+  const { action } = useAction("loop");
+  return (
+    <button
+      type="button"
+      class="icon-button"
+      aria-label="Loop"
+      aria-pressed={playback.isLooping.value}
+      aria-keyshortcuts={keyShortcuts(action.keys)}
+      data-tip={playback.range.value ? "Loop the marked range" : "Loop"}
+      data-tip-side="top"
+      data-keys={action.keys[0] && keyName(action.keys[0])}
+      onClick={() => action.run()}
+    >
+      <Icon node={Repeat} />
+    </button>
+  );
+}
+
+function AddButton() {
+  const { action, isEnabled } = useAction("add-keyframe");
+  return (
+    <button
+      type="button"
+      class="button add-keyframe"
+      aria-label="Add keyframe"
+      aria-keyshortcuts={keyShortcuts(action.keys)}
+      disabled={!isEnabled}
+      data-tip="The formation seen now, as a keyframe"
+      data-tip-side="top-end"
+      data-keys={action.keys[0] && keyName(action.keys[0])}
+      onClick={() => action.run()}
+    >
+      <Icon node={Plus} size={14} />
+      Keyframe
+    </button>
+  );
+}
+
+/** What a narrow screen has no room for. */
+function More() {
+  const duplicate = useAction("duplicate-keyframe");
+  const remove = useAction("delete-keyframe");
+  return (
+    <span class="transport-narrow">
+      <PopoverButton label="More" buttonClass="icon-button" side="above" face={<Icon node={Ellipsis} />}>
+        {(close) => (
+          <div class="menu">
+            <button type="button" class="menu-item" onClick={() => [close(), duplicate.action.run()]}>
+              <Icon node={Copy} />
+              Duplicate keyframe
+            </button>
+            <button
+              type="button"
+              class="menu-item"
+              disabled={!remove.isEnabled}
+              onClick={() => [close(), remove.action.run()]}
+            >
+              <Icon node={Trash2} />
+              Delete keyframe
+            </button>
+            <hr class="menu-line" />
+            <div class="menu-row">
+              <LoopButton />
+              <SpeedMenu />
+            </div>
+          </div>
+        )}
+      </PopoverButton>
+    </span>
   );
 }

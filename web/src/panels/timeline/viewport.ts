@@ -1,5 +1,5 @@
 import { computed, type ReadonlySignal, type Signal, signal } from "@preact/signals";
-import { mainTrack } from "../../document/scene";
+import { type Keyframe, mainTrack } from "../../document/scene";
 import type { DocumentStore } from "../../document/store";
 import type { Playback } from "../../playback/playback";
 import {
@@ -9,7 +9,6 @@ import {
   type Scale,
   scrollAfterZoom,
   scrollToReveal,
-  timeAt,
   trackWidth,
   xOf,
 } from "./scale";
@@ -27,8 +26,8 @@ export interface Viewport {
   /** @param pointer CSS pixels from the window's left edge: what is there stays there */
   zoomBy(factor: number, pointer: number): void;
   reveal(time: number): void;
-  /** @param window the element that the track scrolls in, or one that fills its width */
-  timeAtPointer(clientX: number, window: Element): number;
+  /** Track pixels of a pointer over `element`, which is anywhere in the timeline. */
+  trackX(clientX: number, element: Element): number;
 }
 
 const DRAWN_STEP = 400;
@@ -46,8 +45,8 @@ export function createViewport(document: DocumentStore, playback: Playback): Vie
   const scale = computed<Scale>(() => {
     const keyframes = mainTrack(document.scene.value).keyframes;
     if (zoom.value === null && !(document.isDragging.value && fitted > 0)) {
-      const times = keyframes.map((keyframe) => keyframe.time);
-      fitted = fittedZoom(times, playback.duration.value, width.value, margins.value);
+      const intervals = keyframes.slice(1).map((next, index) => next.time - departure(keyframes[index]));
+      fitted = fittedZoom(intervals, playback.duration.value, width.value, margins.value);
     }
     return { origin: margins.value.lead, pixelsPerSecond: zoom.value ?? fitted };
   });
@@ -77,8 +76,13 @@ export function createViewport(document: DocumentStore, playback: Playback): Vie
     reveal(time) {
       position.value = scrollToReveal(xOf(scale.value, time), scroll.value, width.value);
     },
-    timeAtPointer(clientX, window) {
-      return timeAt(scale.value, clientX - window.getBoundingClientRect().left + scroll.value);
+    trackX(clientX, element) {
+      const window = element.closest(".track-window") ?? element;
+      return clientX - window.getBoundingClientRect().left + scroll.peek();
     },
   };
+}
+
+function departure(keyframe: Keyframe | undefined): number {
+  return keyframe ? keyframe.time + keyframe.hold : 0;
 }
