@@ -4,11 +4,12 @@ import type { ReadonlySignal } from "@preact/signals";
 import type { ComponentType } from "preact";
 import { Inspector } from "./inspector/inspector";
 import { Rail } from "./rail";
+import { SheetButton, useSheet } from "./sheet";
 import { ContextBar } from "./stage-edge/context-bar";
 import { InfoLine } from "./stage-edge/info-line";
+import { LayerToggles } from "./stage-edge/layer-toggles";
 import { Toasts } from "./stage-edge/toasts";
 import { ToolOptions } from "./stage-edge/tool-options";
-import { ViewPills } from "./stage-edge/view-pills";
 import { ZoomPill } from "./stage-edge/zoom-pill";
 import { useStudio } from "./studio";
 import { TopBar } from "./top-bar";
@@ -28,20 +29,24 @@ export interface Parts {
 /** The regions of the page and nothing else. */
 export function Layout({ parts }: { parts: Parts }) {
   const { Timeline, Dialogs } = parts;
+  const isSheetOpen = useSheet();
   return (
-    <div class="app">
+    <div class={isSheetOpen.value ? "app sheet-open" : "app"}>
       <TopBar savedText={parts.savedText} />
       <section class="stage" aria-label="Stage">
         <StageHost element={parts.stageHost} />
         <Rail />
         <ToolOptions />
-        <ViewPills />
+        <div class="floating view-pills">
+          <LayerToggles />
+        </div>
+        <SheetButton isOpen={isSheetOpen} />
         <InfoLine />
         <ZoomPill />
         <ContextBar />
         <Toasts />
       </section>
-      <Inspector />
+      <Inspector isSheetOpen={isSheetOpen} />
       <div class="time">
         <Timeline />
       </div>

@@ -64,7 +64,7 @@ function ToolButton({ tool, name, icon }: RailTool) {
       data-tip={name}
       data-tip-side="right"
       data-keys={key && keyName(key)}
-      onClick={action.run}
+      onClick={() => action.run()}
     >
       <Icon node={icon} size={18} />
       <span class="tool-key">{key}</span>

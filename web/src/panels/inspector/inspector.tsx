@@ -1,10 +1,11 @@
 import "./inspector.css";
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import type { ComponentChildren, ComponentType } from "preact";
 import { mainTrack } from "../../document/scene";
 import type { Selection } from "../../document/selection";
 import { formatCount } from "../../document/units";
 import { moveFocus } from "../roving";
+import { SheetGrip } from "../sheet";
 import { useStudio } from "../studio";
 import { AgentPanel } from "./agent-panel";
 import { AgentsPanel } from "./agents-panel";
@@ -17,7 +18,7 @@ import { TransitionPanel } from "./transition-panel";
 type Tab = "inspector" | "agents";
 
 /** What is selected and what can be changed about it; beside it, everybody in a table. */
-export function Inspector() {
+export function Inspector({ isSheetOpen }: { isSheetOpen: Signal<boolean> }) {
   const { document } = useStudio();
   const tab = useSignal<Tab>("inspector");
   const table = useSignal<{ readonly Table: ComponentType } | null>(null);
@@ -33,7 +34,14 @@ export function Inspector() {
 
   const Table = table.value?.Table;
   return (
-    <section class="side" aria-label="Inspector">
+    <section
+      class="side"
+      aria-label="Inspector"
+      onKeyDown={(event) => {
+        if (event.key === "Escape" && !event.defaultPrevented) isSheetOpen.value = false;
+      }}
+    >
+      <SheetGrip isOpen={isSheetOpen} />
       <div class="tabs" role="tablist" onKeyDown={(event) => moveFocus(event, "button")}>
         <TabButton tab="inspector" shown={tab.value} onShow={show}>
           Inspector

@@ -17,6 +17,13 @@ export function lengthQuantity(units: Units, bounds: { min: number; max: number;
   };
 }
 
+/** A size, which reads without decimals that it does not have. */
+export function sizeQuantity(units: Units): Quantity {
+  const most = LIMITS.coordinate / metersPer(units);
+  const quantity = lengthQuantity(units, { min: 0.1, max: most, step: 1 });
+  return { ...quantity, format: (value) => String(Number(value.toFixed(2))) };
+}
+
 /** A coordinate: as far as a scene goes. */
 export function coordinateQuantity(units: Units): Quantity {
   const most = LIMITS.coordinate / metersPer(units);

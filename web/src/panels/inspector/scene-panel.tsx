@@ -11,7 +11,7 @@ import { useStudio } from "../studio";
 import { GroupList } from "./group-list";
 import { Head } from "./head";
 import { MinimumDistanceRow } from "./minimum-distance-row";
-import { lengthQuantity, wholeQuantity } from "./quantities";
+import { sizeQuantity, wholeQuantity } from "./quantities";
 import { Section } from "./section";
 
 const BACKDROPS: readonly { value: Backdrop; label: string }[] = [
@@ -111,7 +111,7 @@ function SizeRow() {
   const { document } = useStudio();
   const { stage } = document.scene.value;
   const per = metersPer(stage.units);
-  const quantity = lengthQuantity(stage.units, { min: 0.1, max: LIMITS.coordinate, step: 1 });
+  const quantity = sizeQuantity(stage.units);
   return (
     <Row label="Size">
       <span class="pair">

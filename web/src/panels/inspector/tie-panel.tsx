@@ -1,7 +1,5 @@
-import { useState } from "preact/hooks";
 import { cutTie, resetTie, restoreTie, setTieFactor, type TieScope, WHOLE_SCENE } from "../../document/commands/ties";
 import { agentColor, agentLabel, keyframeLabel } from "../../document/queries";
-import { mainTrack } from "../../document/scene";
 import { AgentDot } from "../agent-dot";
 import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
@@ -14,12 +12,10 @@ import { originWords, tieOrigin } from "./tie-origin";
 
 /** A tie between two agents: how much firmer than proposed, for the whole show or at one keyframe. */
 export function TiePanel({ a, b }: { a: number; b: number }) {
-  const { document, planner } = useStudio();
+  const { document, planner, toolbox } = useStudio();
   const scene = document.scene.value;
   const keyframe = document.activeKeyframe.value;
-  const hasOwn = (mainTrack(scene).keyframes[keyframe]?.adjacency ?? null) !== null;
-  const [chosen, setChosen] = useState<TieScope["kind"] | null>(null);
-  const kind = chosen ?? (hasOwn ? "keyframe" : "scene");
+  const kind = toolbox.tieScope.value;
   const scope: TieScope = kind === "scene" ? WHOLE_SCENE : { kind, index: keyframe };
   const origin = tieOrigin(scene, keyframe, a, b, planner.ties.value[keyframe] ?? null);
   const total = origin.total;
@@ -62,7 +58,9 @@ export function TiePanel({ a, b }: { a: number; b: number }) {
               { value: "scene", label: "Whole show" },
               { value: "keyframe", label: "This keyframe" },
             ]}
-            onChoose={(scopeKind) => setChosen(scopeKind)}
+            onChoose={(chosen) => {
+              toolbox.tieScope.value = chosen;
+            }}
           />
         </Row>
         <div class="inspector-buttons">

@@ -10,20 +10,18 @@ const LAYERS: readonly { readonly layer: keyof Layers; readonly name: string }[]
 ];
 
 /** What the stage shows beside the agents. */
-export function ViewPills() {
-  const { view } = useStudio();
+export function LayerToggles() {
+  const { actions, view } = useStudio();
   const layers = view.layers.value;
   return (
-    <fieldset class="floating view-pills" aria-label="Shown on the stage">
+    <fieldset class="layer-toggles" aria-label="Shown on the stage">
       {LAYERS.map(({ layer, name }) => (
         <button
           key={layer}
           type="button"
           class="toggle"
           aria-pressed={layers[layer]}
-          onClick={() => {
-            view.layers.value = { ...layers, [layer]: !layers[layer] };
-          }}
+          onClick={() => actions.get(`show-${layer}`).run()}
         >
           {name}
         </button>
