@@ -33,23 +33,25 @@ export function Layout({ parts }: { parts: Parts }) {
   return (
     <div class={isSheetOpen.value ? "app sheet-open" : "app"}>
       <TopBar savedText={parts.savedText} />
-      <section class="stage" aria-label="Stage">
-        <StageHost element={parts.stageHost} />
-        <Rail />
-        <ToolOptions />
-        <div class="floating view-pills">
-          <LayerToggles />
+      <main class="work">
+        <section class="stage" aria-label="Stage">
+          <StageHost element={parts.stageHost} />
+          <Rail />
+          <ToolOptions />
+          <div class="floating view-pills">
+            <LayerToggles />
+          </div>
+          <SheetButton isOpen={isSheetOpen} />
+          <InfoLine />
+          <ZoomPill />
+          <ContextBar />
+          <Toasts />
+        </section>
+        <Inspector isSheetOpen={isSheetOpen} />
+        <div class="time">
+          <Timeline />
         </div>
-        <SheetButton isOpen={isSheetOpen} />
-        <InfoLine />
-        <ZoomPill />
-        <ContextBar />
-        <Toasts />
-      </section>
-      <Inspector isSheetOpen={isSheetOpen} />
-      <div class="time">
-        <Timeline />
-      </div>
+      </main>
       <Dialogs />
       <Announcer />
     </div>

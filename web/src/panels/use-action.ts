@@ -1,9 +1,8 @@
 import type { Action } from "./actions";
-import type { ActionId } from "./shortcuts";
 import { useStudio } from "./studio";
 
 /** An action and whether it can run now. */
-export function useAction(id: ActionId): { readonly action: Action; readonly isEnabled: boolean } {
+export function useAction(id: string): { readonly action: Action; readonly isEnabled: boolean } {
   const action = useStudio().actions.get(id);
   return { action, isEnabled: action.isEnabled?.value ?? true };
 }
