@@ -9,10 +9,13 @@ export function useAction(id: string): { readonly action: Action; readonly isEna
 
 const isMac = typeof navigator !== "undefined" && /Mac|iPhone|iPad/.test(navigator.userAgent);
 
+const ARROWS: Readonly<Record<string, string>> = { Left: "←", Right: "→", Up: "↑", Down: "↓" };
+
 /** A shortcut as the person's keyboard spells it: `Ctrl+Z`, or `⌘Z` on a Mac. */
 export function keyName(keys: string): string {
-  if (!isMac) return keys;
-  return keys.replace("Ctrl+", "⌘").replace("Shift+", "⇧").replace("Alt+", "⌥");
+  const shown = keys.replace(/Arrow(\w+)/, (name, way: string) => ARROWS[way] ?? name);
+  if (!isMac) return shown;
+  return shown.replace("Ctrl+", "⌘").replace("Shift+", "⇧").replace("Alt+", "⌥");
 }
 
 /** A shortcut as `aria-keyshortcuts` wants it. */

@@ -1,5 +1,4 @@
 import type { ReadonlySignal } from "@preact/signals";
-import { selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { lengthWithUnit } from "../document/units";
@@ -62,10 +61,13 @@ export function createEditor(parts: ToolParts, settings: Pick<Toolbox, "shape" |
       return tie === null ? null : [pairs[2 * tie] ?? 0, pairs[2 * tie + 1] ?? 0];
     },
     handleAt({ screen, pointer }) {
-      const selected = selectedAgents(document.scene.peek(), document.selection.peek());
-      const bounds = selected.size > 1 ? selectionBounds(parts.shownXy(), selected) : null;
-      if (!bounds || document.selection.peek().kind === "tie") return null;
-      return handleAt(selectionBox(bounds, view.camera.peek(), radius()), screen, handleReach(pointer));
+      const selection = document.selection.peek();
+      const bounds = selection.kind === "agents" ? selectionBounds(parts.shownXy(), selection.agents) : null;
+      if (!bounds || (bounds.minX === bounds.maxX && bounds.minY === bounds.maxY)) return null;
+      const camera = view.camera.peek();
+      // A fingertip reaches from a handle to the agents beside it: on a disc it means the agent.
+      const isOnDisc = agentAt(parts.shownXy(), camera, screen, radius()) !== null;
+      return isOnDisc ? null : handleAt(selectionBox(bounds, camera, radius()), screen, handleReach(pointer));
     },
     agentsWithin: (from, to) => agentsWithin(parts.shownXy(), from, to),
     inWords: (meters) => lengthWithUnit(meters, document.scene.peek().stage.units),
