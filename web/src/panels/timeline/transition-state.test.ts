@@ -1,0 +1,49 @@
+import { expect, test } from "vitest";
+import type { SegmentPlan } from "../../engine/api";
+import { SegmentMotion } from "../../playback/motion";
+import { transitionState } from "./transition-state";
+
+function plan(distance: number | null): SegmentPlan {
+  const curve = new Float32Array(2);
+  const none = { mean: 0, max: 0 };
+  return {
+    motion: new SegmentMotion(new Float64Array([0, 1]), new Float32Array(4), 1),
+    curves: { clearance: curve, distortion: curve, turning: curve, topSpeed: curve, pathLength: curve },
+    report: {
+      choice: { method: "polar", order: "greedy", alignment: "pca", sharing: 0.5 },
+      distortion: none,
+      turning: none,
+      clearance: distance === null ? null : { distance, time: 0.5, agents: [0, 1] },
+      nearCollisions: 0,
+      pathLength: none,
+      topSpeed: { speed: 0, time: 0, agent: 0 },
+      rmsRadius: { min: 0, max: 0 },
+      candidates: [],
+    },
+  };
+}
+
+test.each([
+  [1.2, "holds"],
+  [1.05, "tight"],
+  [0.9, "clash"],
+])("a planned transition with %d m of 1 m clearance says its method and %s", (distance, status) => {
+  const state = transitionState({ kind: "ready", plan: plan(distance) }, 1);
+  expect(state).toMatchObject({ status, words: "Polar", isPlanning: false });
+});
+
+test("while it is planned anew a transition keeps its last shape and says how far the planning is", () => {
+  const state = transitionState({ kind: "planning", progress: 0.629, stale: plan(0.9) }, 1);
+  expect(state).toMatchObject({ status: "clash", words: "Planning, 62 %", isPlanning: true });
+});
+
+test("a transition never planned before has no status yet", () => {
+  const state = transitionState({ kind: "planning", progress: 0, stale: null }, 1);
+  expect(state).toMatchObject({ status: "none", plan: null, words: "Planning, 0 %" });
+});
+
+test("a canceled and a failed transition say so", () => {
+  const problem = { code: "engine-stopped", what: "The engine stopped.", where: "" };
+  expect(transitionState({ kind: "canceled" }, 1).words).toBe("Canceled");
+  expect(transitionState({ kind: "failed", problem }, 1).words).toBe("Not planned");
+});
