@@ -1,0 +1,262 @@
+//! What may be typed, and the help that teaches it.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+const ABOUT: &str = "Moves a group from formation to formation with its subgroups kept together.";
+
+const INTRODUCTION: &str = "\
+Moves a group from formation to formation with its subgroups kept together.
+
+SCENE is a scene file (.eigenform.json), a keyframe CSV (keyframe,time,agent,group,x,y), a link in quotes,
+or - for standard input. Keyframes and agents count from 0; meters, seconds, radians.";
+
+const EXAMPLES: &str = "\
+Examples:
+  eigenform check show.eigenform.json
+  eigenform motion show.eigenform.json --out show.csv
+  eigenform motion keyframes.csv --at 0,0.5,1 --json
+  eigenform measure show.eigenform.json --method spectral --json
+  eigenform link show.eigenform.json --base https://example.org/
+  eigenform open '#s=1.…' > show.eigenform.json
+
+Errors are one line on stderr: error: code: what (where).
+Exit codes: 0 done, 1 a file cannot be read or written, 2 bad input or usage.";
+
+/// The command line.
+#[derive(Debug, Parser)]
+#[command(name = "eigenform", version, about = ABOUT, long_about = INTRODUCTION, after_help = EXAMPLES, subcommand_required = true)]
+#[command(arg_required_else_help = true, disable_help_subcommand = true)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Verb {
+    /// Where everybody is over time, as CSV or JSON
+    Motion(Motion),
+    /// How good each transition is: distortion, turning, clearance, …
+    Measure(Measure),
+    /// Eigenvalues and ties of one keyframe
+    Modes(Modes),
+    /// Who takes which place of another keyframe at the least cost
+    Assign(Assign),
+    /// The scene as a link
+    Link(Link),
+    /// The scene of a link, as a scene file
+    Open(Open),
+    /// A scene file from a keyframe CSV, or the other way
+    Convert(Convert),
+    /// Whether a scene is sound
+    Check(Check),
+}
+
+/// A scene and what is to be otherwise.
+#[derive(Args, Debug)]
+pub struct Source {
+    /// A scene file, a keyframe CSV, a link in quotes, or - for standard input
+    pub scene: String,
+    /// In place of every transition's method: auto, spectral, shared, polar or linear
+    #[arg(long, value_name = "METHOD")]
+    pub method: Option<String>,
+    /// In place of the scene's join: separate
+    #[arg(long, value_name = "JOIN")]
+    pub join: Option<String>,
+    /// In place of the scene's minimum distance, meters
+    #[arg(long, value_name = "METERS", allow_negative_numbers = true)]
+    pub minimum_distance: Option<f64>,
+    /// In place of every transition's avoidance: false
+    #[arg(long, value_name = "BOOLEAN")]
+    pub avoidance: Option<String>,
+}
+
+/// What was typed. `--avoidance` alone means `--avoidance true`, and must not take the scene for its value.
+pub fn typed() -> Vec<OsString> {
+    let mut typed: Vec<OsString> = std::env::args_os().collect();
+    for at in 0..typed.len() {
+        let has_value = typed.get(at + 1).is_some_and(|next| next == "true" || next == "false");
+        if typed[at] == "--avoidance" && !has_value {
+            typed[at].push("=true");
+        }
+    }
+    typed
+}
+
+/// `motion`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+CSV, one row a frame and agent, agents by name where all names differ, else by number:
+  frame,time,agent,x,y,z
+JSON, one entry a frame or a time asked for; positions[k][i] is agent i at times[k]:
+  {\"times\": [0, …], \"positions\": [[[x, y], …], …]}
+
+Examples:
+  eigenform motion show.eigenform.json > show.csv
+  eigenform motion show.eigenform.json --out show.json
+  eigenform motion show.eigenform.json --at 0,0.5,1 --json")]
+pub struct Motion {
+    #[command(flatten)]
+    pub source: Source,
+    /// Write to FILE, CSV or JSON by its extension; without it CSV is printed
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Only at these instants, seconds, in full precision from the method itself; as JSON
+    #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_negative_numbers = true)]
+    pub at: Option<Vec<f64>>,
+    /// Print JSON
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `measure`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+JSON: {\"segments\": [{ … }]}, one entry a transition, with
+  method, options   what moved it (under auto: what was chosen)
+  distortion        {mean, max} over the frames of how far ties leave their due lengths
+  turning           {mean, max} over the agents, radians
+  clearance         {distance, time, agents} of the nearest approach, or null
+  nearCollisions    pairs and frames nearer than the minimum distance
+  pathLength        {mean, max} over the agents, meters
+  topSpeed          {speed, time, agent}
+  rmsRadius         {min, max} about the barycenter, meters
+  candidates        what auto compared: method, options, score, chosen
+
+Example:
+  eigenform measure show.eigenform.json --minimum-distance 0.5 --json")]
+pub struct Measure {
+    #[command(flatten)]
+    pub source: Source,
+    /// Print JSON; without it a table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `modes`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+JSON: {\"eigenvalues\": [0, …], \"ties\": [[a, b, weight], …]}, eigenvalues ascending, ties sorted with a < b;
+with --vectors also
+  vectors           vectors[k][i] is agent i's entry in the unit mode of eigenvalues[k]; signs are arbitrary
+  coefficients      coefficients[k] = [x, y], the sum over i of vectors[k][i] · position i, meters
+so that position i is the sum over k of vectors[k][i] · coefficients[k].
+
+Example:
+  eigenform modes show.eigenform.json --keyframe 0 --json --vectors")]
+pub struct Modes {
+    #[command(flatten)]
+    pub source: Source,
+    /// Which keyframe, from 0
+    #[arg(long, value_name = "K")]
+    pub keyframe: usize,
+    /// Print JSON; without it the eigenvalues, one a line
+    #[arg(long)]
+    pub json: bool,
+    /// Also the modes and the formation's coefficients in them (with --json)
+    #[arg(long, requires = "json")]
+    pub vectors: bool,
+}
+
+/// `assign`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+JSON: {\"assignment\": […], \"cost\": …}; assignment[i] is the place of keyframe --to that agent i of keyframe --from
+takes, cost the sum of squared distances, square meters. It is the exact optimum.
+
+Example:
+  eigenform assign show.eigenform.json --from 0 --to 1 --json")]
+pub struct Assign {
+    #[command(flatten)]
+    pub source: Source,
+    /// The keyframe the agents leave, from 0
+    #[arg(long, value_name = "K")]
+    pub from: usize,
+    /// The keyframe whose places they take, from 0
+    #[arg(long, value_name = "K")]
+    pub to: usize,
+    /// What is to be least: squared (the sum of squared distances)
+    #[arg(long, value_name = "COST", default_value = "squared")]
+    pub cost: String,
+    /// A weight within costs other than squared
+    #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true)]
+    pub lambda: Option<f64>,
+    /// Print JSON; without it one place a line, then the cost
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `link`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+A link holds the whole scene and never reaches a server. It keeps every coordinate to 1e-6 m; what is drawn on a
+grid comes back exactly. --short rounds coordinates to 12 bits of the extent and says by how much on stderr.
+
+Examples:
+  eigenform link show.eigenform.json
+  eigenform link show.eigenform.json --short --base https://example.org/eigenform/")]
+pub struct Link {
+    #[command(flatten)]
+    pub source: Source,
+    /// Round coordinates for a shorter link
+    #[arg(long)]
+    pub short: bool,
+    /// The page's address to put before it
+    #[arg(long, value_name = "URL", default_value = "")]
+    pub base: String,
+}
+
+/// `open`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Example:
+  eigenform open 'https://example.org/#s=1.…' > show.eigenform.json")]
+pub struct Open {
+    /// A link in quotes, or - for standard input
+    #[arg(allow_hyphen_values = true)]
+    pub link: String,
+}
+
+/// `convert`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+The extension of OUT says what is written: .json or .csv. With - it is printed: a keyframe CSV of a scene file, a
+scene file of anything else. What a CSV cannot hold is said on stderr.
+
+Examples:
+  eigenform convert show.eigenform.json keyframes.csv
+  eigenform convert keyframes.csv show.eigenform.json")]
+pub struct Convert {
+    #[command(flatten)]
+    pub source: Source,
+    /// A file named .json or .csv, or - for standard output
+    pub out: PathBuf,
+}
+
+/// `check`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Prints ok: N agents, K keyframes — or what is wrong and where, with exit code 2.
+
+Example:
+  eigenform check show.eigenform.json")]
+pub struct Check {
+    #[command(flatten)]
+    pub source: Source,
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    use super::Arguments;
+
+    #[test]
+    fn the_arguments_are_consistent() {
+        Arguments::command().debug_assert();
+    }
+}

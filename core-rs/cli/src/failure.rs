@@ -1,0 +1,114 @@
+//! What ends a run early: one line on stderr and an exit code.
+
+use std::fmt::{self, Display, Formatter};
+use std::io::{self, Write as _};
+use std::path::Path;
+use std::process::ExitCode;
+
+use eigenform::error::Error;
+
+/// Bad input or usage.
+const INPUT: u8 = 2;
+
+/// A file that cannot be read or written.
+const FILE: u8 = 1;
+
+/// Why a run ended early.
+#[derive(Debug)]
+pub enum Failure {
+    /// The engine refuses the input.
+    Refused(Error),
+    /// The command is not one.
+    Usage { what: String, place: String },
+    /// A file cannot be read or written.
+    File { code: &'static str, error: io::Error, path: String },
+    /// Help was asked for, or whoever read the output has had enough.
+    Nothing(String),
+}
+
+impl Failure {
+    /// A command that is not one, and which part of it.
+    pub fn usage(what: impl Into<String>, place: impl Into<String>) -> Self {
+        Self::Usage { what: what.into(), place: place.into() }
+    }
+
+    /// A file that cannot be read.
+    pub fn reading(error: io::Error, path: &Path) -> Self {
+        Self::File { code: "cannot-read", error, path: path.display().to_string() }
+    }
+
+    /// A file that cannot be written.
+    pub fn writing(error: io::Error, path: &Path) -> Self {
+        Self::File { code: "cannot-write", error, path: path.display().to_string() }
+    }
+
+    /// Standard output that cannot be written; a reader that stops early is no failure.
+    pub fn printing(error: io::Error) -> Self {
+        match error.kind() {
+            io::ErrorKind::BrokenPipe => Self::Nothing(String::new()),
+            _ => Self::writing(error, Path::new("standard output")),
+        }
+    }
+
+    /// Says it and gives the exit code.
+    pub fn report(self) -> ExitCode {
+        if let Self::Nothing(help) = self {
+            // Help for a reader that has gone needs no answer.
+            let _ = io::stdout().write_all(help.as_bytes());
+            return ExitCode::SUCCESS;
+        }
+        let _ = writeln!(io::stderr(), "error: {self}");
+        ExitCode::from(if matches!(self, Self::File { .. }) { FILE } else { INPUT })
+    }
+}
+
+impl From<Error> for Failure {
+    fn from(error: Error) -> Self {
+        Self::Refused(error)
+    }
+}
+
+impl From<clap::Error> for Failure {
+    fn from(error: clap::Error) -> Self {
+        if !error.use_stderr() {
+            return Self::Nothing(error.to_string());
+        }
+        if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+            return Self::usage("what is to be done is missing", "eigenform --help lists the verbs");
+        }
+        let text = error.to_string();
+        // The first paragraph says what is wrong; tips and the usage follow it.
+        let lines = text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim);
+        let what = lines.collect::<Vec<_>>().join(" ");
+        Self::usage(what.strip_prefix("error: ").unwrap_or(&what), "eigenform --help, or the verb's")
+    }
+}
+
+impl Display for Failure {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let (code, what, place) = match self {
+            Self::Refused(error) => (error.code(), error.to_string(), error.place()),
+            Self::Usage { what, place } => ("usage", what.clone(), place.clone()),
+            Self::File { code, error, path } => (*code, error.to_string(), path.clone()),
+            Self::Nothing(_) => return Ok(()),
+        };
+        write!(f, "{code}: {}", on_one_line(&what))?;
+        if place.is_empty() { Ok(()) } else { write!(f, " ({})", on_one_line(&place)) }
+    }
+}
+
+/// What a person typed may hold line ends; an error is one line.
+fn on_one_line(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Failure;
+
+    #[test]
+    fn a_failure_is_one_line_whatever_was_typed() {
+        let failure = Failure::usage("no verb \"a\nb\"", "line\u{1b}[31m");
+        assert_eq!(failure.to_string(), "usage: no verb \"a b\" (line [31m)");
+    }
+}

@@ -1,0 +1,109 @@
+//! From what was typed to a scene.
+
+use std::fs::File;
+use std::io::{self, Read as _};
+use std::path::Path;
+
+use eigenform::choice::MethodName;
+use eigenform::error::Error;
+use eigenform::formation::Formation;
+use eigenform::scene::{Opened, Scene, Segment, limits, open, open_bytes, validate};
+
+use crate::arguments::Source;
+use crate::failure::Failure;
+
+/// Reads the scene and applies what is to be otherwise.
+pub fn read(source: &Source) -> Result<Opened, Failure> {
+    let mut opened = if is_link(&source.scene) { open(&source.scene)? } else { open_bytes(&read_bytes(&source.scene)?)? };
+    override_parts(&mut opened.scene, source)?;
+    validate(&opened.scene)?;
+    Ok(opened)
+}
+
+/// The bytes of a file, or of standard input for `-`. No more than a valid scene needs is read.
+pub fn read_bytes(name: &str) -> Result<Vec<u8>, Failure> {
+    let path = Path::new(name);
+    let limit = limits::FILE_BYTES as u64 + 1;
+    let mut bytes = Vec::new();
+    let outcome = if name == "-" {
+        io::stdin().lock().take(limit).read_to_end(&mut bytes)
+    } else {
+        File::open(path).and_then(|file| file.take(limit).read_to_end(&mut bytes))
+    };
+    match outcome {
+        Ok(_) => Ok(bytes),
+        Err(error) => Err(Failure::reading(error, path)),
+    }
+}
+
+/// The formation of a keyframe that an option names.
+pub fn formation<'s>(scene: &'s Scene, keyframe: usize, option: &str) -> Result<&'s Formation, Failure> {
+    let keyframes = &scene.main_track().keyframes;
+    if let Some(keyframe) = keyframes.get(keyframe) {
+        return Ok(&keyframe.positions);
+    }
+    let (value, high) = (keyframe as f64, (keyframes.len() - 1) as f64);
+    Err(Error::OutOfRange { value, low: 0.0, high, place: option.to_owned() }.into())
+}
+
+fn is_link(text: &str) -> bool {
+    text.contains("#s=") || ["#", "http://", "https://"].iter().any(|start| text.starts_with(start))
+}
+
+fn override_parts(scene: &mut Scene, source: &Source) -> Result<(), Failure> {
+    if let Some(join) = &source.join {
+        only(join, "separate", &["smooth", "product"], "--join")?;
+    }
+    if let Some(avoidance) = &source.avoidance {
+        only(avoidance, "false", &["true"], "--avoidance")?;
+    }
+    if let Some(distance) = source.minimum_distance {
+        if !limits::LENGTH.contains(&distance) {
+            let (low, high) = limits::LENGTH.into_inner();
+            return Err(Error::OutOfRange { value: distance, low, high, place: "--minimum-distance".to_owned() }.into());
+        }
+        scene.minimum_distance = distance;
+    }
+    if let Some(method) = &source.method {
+        let method = method_of(method)?;
+        for Segment::Transition(transition) in &mut scene.tracks[0].segments {
+            transition.method = method;
+            // What auto took before belongs to the scene as it was saved.
+            transition.chosen = None;
+        }
+    }
+    Ok(())
+}
+
+fn method_of(word: &str) -> Result<MethodName, Error> {
+    const ADMISSIBLE: &[&str] = &["auto", "spectral", "shared", "polar", "linear"];
+    let methods = [MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear];
+    match ADMISSIBLE.iter().position(|known| *known == word) {
+        Some(at) => Ok(methods[at]),
+        None if word == "crowd" => Err(unsupported(word, "auto, spectral, shared, polar or linear", "--method")),
+        None => Err(Error::UnknownValue { value: quoted(word), admissible: ADMISSIBLE, place: "--method".to_owned() }),
+    }
+}
+
+/// Takes the one supported word; words of later versions are not supported yet, others are unknown.
+pub fn only(word: &str, supported: &'static str, later: &[&str], place: &str) -> Result<(), Failure> {
+    if word == supported {
+        Ok(())
+    } else if later.contains(&word) {
+        Err(unsupported(word, supported, place).into())
+    } else {
+        Err(Failure::usage(format!("{} is not known here; it must be {supported}", quoted(word)), place))
+    }
+}
+
+fn unsupported(value: &str, supported: &str, place: &str) -> Error {
+    Error::Unsupported { value: quoted(value), supported: supported.to_owned(), place: place.to_owned() }
+}
+
+fn quoted(word: &str) -> String {
+    let mut short: String = word.chars().take(40).collect();
+    if short.len() < word.len() {
+        short.push('…');
+    }
+    format!("\"{short}\"")
+}

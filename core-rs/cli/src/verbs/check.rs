@@ -1,0 +1,20 @@
+//! `eigenform check`: whether a scene is sound.
+
+use eigenform::perform::Performer;
+use eigenform::scene::Opened;
+
+use crate::arguments::Check;
+use crate::failure::Failure;
+use crate::{input, output};
+
+pub fn run(arguments: &Check) -> Result<Vec<String>, Failure> {
+    let Opened { scene, notes, .. } = input::read(&arguments.source)?;
+    let track = scene.main_track();
+    // Ties of large groups are known only once their formations are.
+    let mut performer = Performer::default();
+    for keyframe in 0..track.keyframes.len() {
+        performer.graph(&scene, keyframe)?;
+    }
+    output::print(&format!("ok: {} agents, {} keyframes", track.agents.len(), track.keyframes.len()))?;
+    Ok(notes)
+}

@@ -1,0 +1,110 @@
+//! `eigenform measure`: how good each transition is.
+
+use std::fmt::Write as _;
+
+use eigenform::choice::{Choice, MethodName, Timing};
+use eigenform::measure::Measures;
+use eigenform::perform::{Candidate, Performed, perform};
+use eigenform::scene::{Opened, Scene, Segment, TransitionSpec};
+use serde::Serialize;
+
+use crate::arguments::Measure;
+use crate::failure::Failure;
+use crate::{input, output};
+
+#[derive(Serialize)]
+struct Report<'p> {
+    segments: Vec<SegmentReport<'p>>,
+}
+
+#[derive(Serialize)]
+struct SegmentReport<'p> {
+    method: MethodName,
+    options: Options,
+    #[serde(flatten)]
+    measures: &'p Measures,
+    candidates: Vec<CandidateReport>,
+}
+
+#[derive(Serialize)]
+struct CandidateReport {
+    method: MethodName,
+    options: Options,
+    score: f64,
+    chosen: bool,
+}
+
+/// The options that the method uses.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Options {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    order: Option<eigenform::choice::Order>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    alignment: Option<eigenform::choice::Alignment>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sharing: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    keep_size: Option<bool>,
+    timing: Timing,
+}
+
+pub fn run(arguments: &Measure) -> Result<Vec<String>, Failure> {
+    let Opened { scene, notes, .. } = input::read(&arguments.source)?;
+    let performance = perform(&scene)?;
+    let segments = transitions(&scene).zip(performance.segments()).map(|(transition, performed)| report(transition, performed));
+    let report = Report { segments: segments.collect() };
+    let json = || serde_json::to_string(&report).expect("numbers and words are JSON");
+    output::print(&if arguments.json { json() } else { table(&report) })?;
+    Ok(notes)
+}
+
+fn transitions(scene: &Scene) -> impl Iterator<Item = &TransitionSpec> {
+    scene.main_track().segments.iter().map(|Segment::Transition(transition)| transition)
+}
+
+fn report<'p>(transition: &TransitionSpec, performed: &'p Performed) -> SegmentReport<'p> {
+    SegmentReport {
+        method: performed.choice.method,
+        options: options(&performed.choice, transition),
+        measures: &performed.measures,
+        candidates: performed.candidates.iter().map(|candidate| candidate_report(candidate, transition)).collect(),
+    }
+}
+
+fn candidate_report(candidate: &Candidate, transition: &TransitionSpec) -> CandidateReport {
+    let Candidate { choice, score, is_chosen, .. } = candidate;
+    CandidateReport { method: choice.method, options: options(choice, transition), score: *score, chosen: *is_chosen }
+}
+
+fn options(choice: &Choice, transition: &TransitionSpec) -> Options {
+    let is_spectral = choice.method == MethodName::Spectral;
+    let has_modes = is_spectral || choice.method == MethodName::Shared;
+    Options {
+        order: is_spectral.then_some(choice.order),
+        alignment: (has_modes || choice.method == MethodName::Polar).then_some(choice.alignment),
+        sharing: is_spectral.then_some(choice.sharing),
+        keep_size: has_modes.then_some(transition.keep_size),
+        timing: transition.timing,
+    }
+}
+
+fn table(report: &Report<'_>) -> String {
+    let mut text = String::from("segment  method    distortion  turning  clearance  near  path    speed\n");
+    for (index, segment) in report.segments.iter().enumerate() {
+        let measures = segment.measures;
+        let clearance = measures.clearance.map_or_else(|| "-".to_owned(), |clearance| format!("{:.3}", clearance.distance));
+        writeln!(
+            text,
+            "{index:<7}  {:<8}  {:<10.4}  {:<7.3}  {clearance:<9}  {:<4}  {:<6.2}  {:.2}",
+            format!("{:?}", segment.method).to_lowercase(),
+            measures.distortion.mean,
+            measures.turning.mean,
+            measures.near_collisions,
+            measures.path_length.mean,
+            measures.top_speed.speed,
+        )
+        .expect("a string takes any text");
+    }
+    text
+}

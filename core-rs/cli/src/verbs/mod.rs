@@ -1,0 +1,10 @@
+//! A file a verb: read, ask the engine, print.
+
+pub mod assign;
+pub mod check;
+pub mod convert;
+pub mod link;
+pub mod measure;
+pub mod modes;
+pub mod motion;
+pub mod open;

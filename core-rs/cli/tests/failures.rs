@@ -1,0 +1,138 @@
+//! Every failure is one line with a code, the right exit code, and nothing half-written.
+
+mod support;
+
+use support::{Desk, SHOW};
+
+fn check(desk: &Desk, arguments: &[&str], code: i32, start: &str) {
+    let before = desk.names();
+    let outcome = desk.run(arguments);
+    assert_eq!(outcome.code, code, "{arguments:?}: {}", outcome.stderr);
+    assert_eq!(outcome.stdout, "", "{arguments:?}");
+    assert_eq!(outcome.stderr.matches('\n').count(), 1, "one line: {}", outcome.stderr);
+    assert!(outcome.stderr.starts_with(&format!("error: {start}")), "{arguments:?}: {}", outcome.stderr);
+    assert_eq!(desk.names(), before, "nothing is left behind");
+}
+
+#[test]
+fn usage_is_two() {
+    let desk = Desk::new();
+    for arguments in [
+        &[][..],
+        &["dance"],
+        &["motion"],
+        &["motion", "show.json", "--out", "motion.txt"],
+        &["motion", "show.json", "--out", "motion.csv", "--json"],
+        &["motion", "show.json", "--at", "now"],
+        &["motion", "show.json", "--loud"],
+        &["modes", "show.json"],
+        &["modes", "show.json", "--keyframe", "-1"],
+        &["modes", "show.json", "--keyframe", "0", "--vectors"],
+        &["link", "show.json", "--base", "https://example.org/#top"],
+        &["convert", "show.json", "show.xml"],
+        &["check", "show.json", "--join", "sideways"],
+    ] {
+        check(&desk, arguments, 2, "usage: ");
+    }
+}
+
+#[test]
+fn bad_input_is_two_and_says_where() {
+    let desk = Desk::new();
+    desk.put("broken.json", "{\"format\": \"eigenform\",");
+    desk.put("other.json", "{\"format\": \"else\", \"version\": 1, \"keyframes\": []}");
+    desk.put("newer.json", &SHOW.replace("\"version\": 1", "\"version\": 2"));
+    desk.put("unknown.json", &SHOW.replace("\"frameRate\"", "\"frameRatio\""));
+    desk.put("avoiding.json", &SHOW.replace("\"linear\"", "\"linear\", \"avoidance\": true"));
+    desk.put("empty.csv", "");
+    desk.put("cut.csv", "keyframe,time,agent,group,x,y\n0,0,a,,1\n");
+    for (arguments, start) in [
+        (&["check", "broken.json"][..], "invalid-json: "),
+        (&["check", "other.json"], "not-a-scene: "),
+        (&["check", "newer.json"], "newer-version: "),
+        (&["check", "unknown.json"], "unknown-field: "),
+        (&["motion", "avoiding.json"], "unsupported: "),
+        (&["check", "empty.csv"], "empty: "),
+        (&["check", "cut.csv"], "cut-row: "),
+        (&["modes", "show.json", "--keyframe", "2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--keyframe)"),
+        (&["assign", "show.json", "--from", "0", "--to", "7"], "out-of-range: "),
+        (&["motion", "show.json", "--at", "NaN"], "not-finite: "),
+        (&["check", "show.json", "--minimum-distance", "-1"], "out-of-range: "),
+        (&["check", "show.json", "--method", "fast"], "unknown-value: "),
+        (&["open", "https://example.org/"], "not-a-link: "),
+        (&["open", "show.json"], "not-a-link: "),
+        (&["open", "#s=1.AAAA"], "link-"),
+        (&["check", "#s=9.AAAA"], "newer-version: "),
+    ] {
+        check(&desk, arguments, 2, start);
+    }
+}
+
+#[test]
+fn values_of_later_versions_are_unsupported() {
+    let desk = Desk::new();
+    for arguments in [
+        &["motion", "show.json", "--method", "crowd"][..],
+        &["motion", "show.json", "--join", "smooth"],
+        &["measure", "show.json", "--join", "product"],
+        &["motion", "show.json", "--avoidance", "true"],
+        &["motion", "show.json", "--avoidance"],
+        &["motion", "--avoidance", "show.json"],
+        &["assign", "show.json", "--from", "0", "--to", "1", "--cost", "neighbors"],
+        &["assign", "show.json", "--from", "0", "--to", "1", "--lambda", "0.9"],
+    ] {
+        check(&desk, arguments, 2, "unsupported: ");
+    }
+}
+
+#[test]
+fn a_link_cut_anywhere_says_so() {
+    let desk = Desk::new();
+    let link = desk.answer(&["link", "keyframes.csv"]);
+    let link = link.trim();
+    for length in [1, 3, 4, 5, 6, 12, link.len() - 1] {
+        check(&desk, &["open", &link[..length]], 2, "link-cut: ");
+    }
+}
+
+#[test]
+fn files_that_cannot_be_read_or_written_are_one() {
+    let desk = Desk::new();
+    std::fs::create_dir(desk.path("folder.csv")).expect("a folder");
+    std::fs::create_dir(desk.path("folder.json")).expect("a folder");
+    for arguments in [&["check", "absent.json"][..], &["motion", "folder.json"], &["convert", "absent.csv", "scene.json"]] {
+        check(&desk, arguments, 1, "cannot-read: ");
+    }
+    for arguments in [
+        &["motion", "show.json", "--out", "absent/motion.csv"][..],
+        &["motion", "show.json", "--out", "folder.csv"],
+        &["convert", "show.json", "folder.csv"],
+    ] {
+        check(&desk, arguments, 1, "cannot-write: ");
+    }
+}
+
+#[test]
+fn a_failure_leaves_the_file_that_was_there() {
+    let desk = Desk::new();
+    desk.put("motion.csv", "precious");
+    check(&desk, &["motion", "show.json", "--method", "crowd", "--out", "motion.csv"], 2, "unsupported: ");
+    assert_eq!(desk.read("motion.csv"), "precious");
+}
+
+#[test]
+fn text_that_is_none_is_refused() {
+    let desk = Desk::new();
+    std::fs::write(desk.path("picture.png"), [0x89, b'P', b'N', b'G', 0xFF, 0x00]).expect("a file on the desk");
+    check(&desk, &["check", "picture.png"], 2, "not-text: ");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_written_file_is_as_readable_as_any_other() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let desk = Desk::new();
+    desk.answer(&["motion", "show.json", "--out", "motion.csv"]);
+    let mode = |name: &str| std::fs::metadata(desk.path(name)).expect("a file").permissions().mode();
+    assert_eq!(mode("motion.csv"), mode("show.json"));
+}

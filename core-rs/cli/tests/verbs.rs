@@ -1,0 +1,207 @@
+//! Each verb does what its help says.
+
+mod support;
+
+use serde_json::{Value, json};
+use support::Desk;
+
+fn parsed(text: &str) -> Value {
+    serde_json::from_str(text).expect("JSON")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+#[test]
+fn motion_prints_a_row_a_frame_and_agent() {
+    let desk = Desk::new();
+    let text = desk.answer(&["motion", "keyframes.csv", "--method", "linear"]);
+    let rows: Vec<&str> = text.lines().collect();
+    // 30 frames a second for two seconds, both ends included, two agents a frame.
+    assert_eq!(rows.len(), 1 + 61 * 2);
+    assert_eq!(rows[0], "frame,time,agent,x,y,z");
+    assert_eq!(rows[1], "0,0,Ada,0,0,0");
+    assert_eq!(rows[122], "60,2,Ben,0,0,0");
+}
+
+#[test]
+fn motion_writes_the_kind_of_file_that_the_name_says() {
+    let desk = Desk::new();
+    assert_eq!(desk.answer(&["motion", "show.json", "--out", "out.csv"]), "");
+    assert_eq!(desk.read("out.csv"), desk.answer(&["motion", "show.json"]));
+    assert_eq!(desk.answer(&["motion", "show.json", "--out", "out.json"]), "");
+    assert_eq!(desk.read("out.json"), desk.answer(&["motion", "show.json", "--json"]));
+    assert_eq!(desk.names(), ["keyframes.csv", "out.csv", "out.json", "show.json"]);
+    let motion = parsed(&desk.read("out.json"));
+    assert_eq!(motion["times"], json!([0.0, 0.5, 1.0, 1.5, 2.0]));
+    assert_eq!(motion["positions"][4], json!([[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]));
+}
+
+#[test]
+fn motion_at_instants_answers_in_the_order_asked() {
+    let desk = Desk::new();
+    let motion = parsed(&desk.answer(&["motion", "show.json", "--at", "1,-1,0.123,99", "--json"]));
+    assert_eq!(motion["times"], json!([1.0, -1.0, 0.123, 99.0]));
+    assert_eq!(motion["positions"][0], json!([[1.0, 0.0], [2.0, 1.0], [1.0, 2.0], [0.0, 1.0]]));
+    assert_eq!(motion["positions"][1], json!([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]));
+    let t: f64 = 0.123 / 2.0;
+    let x = 2.0 * t * t * (3.0 - 2.0 * t);
+    assert!((number(&motion["positions"][2][0][0]) - x).abs() < 1e-15);
+    assert_eq!(motion["positions"][3], json!([[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]));
+}
+
+#[test]
+fn measure_has_its_keys_and_numbers() {
+    let desk = Desk::new();
+    let report = parsed(&desk.answer(&["measure", "show.json", "--minimum-distance", "1.5", "--json"]));
+    let segment = report["segments"][0].as_object().expect("one segment");
+    let keys: Vec<&str> = segment.keys().map(String::as_str).collect();
+    let mut expected =
+        ["method", "options", "distortion", "turning", "clearance", "nearCollisions", "pathLength", "topSpeed", "rmsRadius", "candidates"];
+    expected.sort_unstable();
+    assert_eq!(keys, expected);
+    assert_eq!(segment["method"], "linear");
+    assert_eq!(segment["options"], json!({ "timing": "smooth" }));
+    assert_eq!(segment["candidates"], json!([]));
+    // Halfway the corners of the square are the middles of its sides.
+    assert!((number(&segment["clearance"]["distance"]) - 2.0_f64.sqrt()).abs() < 1e-12);
+    assert_eq!(segment["clearance"]["time"], 1.0);
+    assert_eq!(segment["nearCollisions"], 4);
+    assert!((number(&segment["pathLength"]["mean"]) - 2.0).abs() < 1e-12);
+}
+
+#[test]
+fn measure_shows_what_auto_chose_from() {
+    let desk = Desk::new();
+    let report = parsed(&desk.answer(&["measure", "show.json", "--method", "auto", "--json"]));
+    let segment = &report["segments"][0];
+    let candidates = segment["candidates"].as_array().expect("a list");
+    assert!(candidates.len() > 5);
+    let chosen: Vec<&Value> = candidates.iter().filter(|candidate| candidate["chosen"] == true).collect();
+    assert_eq!(chosen.len(), 1);
+    assert_eq!(chosen[0]["method"], segment["method"]);
+    assert_eq!(chosen[0]["options"], segment["options"]);
+    let least = candidates.iter().map(|candidate| number(&candidate["score"])).fold(f64::INFINITY, f64::min);
+    assert!((number(&chosen[0]["score"]) - least).abs() < 1e-12);
+}
+
+#[test]
+fn modes_of_a_square_are_those_of_the_cycle_of_four() {
+    let desk = Desk::new();
+    let text = desk.answer(&["modes", "show.json", "--keyframe", "0", "--json", "--vectors"]);
+    let modes = parsed(&text);
+    // Weights are 1/2: half of 0, 2, 2, 4.
+    for (value, expected) in modes["eigenvalues"].as_array().expect("a list").iter().zip([0.0, 1.0, 1.0, 2.0]) {
+        assert!((number(value) - expected).abs() < 1e-12);
+    }
+    assert_eq!(modes["ties"], json!([[0, 1, 0.5], [0, 3, 0.5], [1, 2, 0.5], [2, 3, 0.5]]));
+    for (agent, position) in [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].into_iter().enumerate() {
+        for axis in 0..2 {
+            let sum: f64 = (0..4).map(|k| number(&modes["vectors"][k][agent]) * number(&modes["coefficients"][k][axis])).sum();
+            assert!((sum - position[axis]).abs() < 1e-12, "the modes add up to the formation");
+        }
+    }
+    let without = parsed(&desk.answer(&["modes", "show.json", "--keyframe", "0", "--json"]));
+    assert_eq!(without.as_object().expect("an object").len(), 2);
+}
+
+#[test]
+fn assign_finds_who_stays() {
+    let desk = Desk::new();
+    let text = desk.answer(&["assign", "show.json", "--from", "0", "--to", "1", "--cost", "squared", "--json"]);
+    assert_eq!(parsed(&text), json!({ "assignment": [3, 0, 1, 2], "cost": 0.0 }));
+}
+
+#[test]
+fn a_link_opens_as_the_scene() {
+    let desk = Desk::new();
+    let link = desk.answer(&["link", "show.json", "--base", "https://example.org/"]);
+    assert!(link.starts_with("https://example.org/#s=1."), "{link}");
+    let scene = desk.answer(&["open", link.trim()]);
+    assert_eq!(scene, desk.answer(&["convert", link.trim(), "-"]));
+    desk.put("again.json", &scene);
+    assert_eq!(desk.answer(&["link", "again.json", "--base", "https://example.org/"]), link);
+    assert_eq!(desk.answer(&["motion", link.trim()]), desk.answer(&["motion", "show.json"]));
+}
+
+#[test]
+fn a_short_link_says_what_it_rounds() {
+    let desk = Desk::new();
+    desk.put("odd.csv", "keyframe,time,agent,group,x,y\n0,0,0,,0.123456,0.1\n0,0,1,,31.7,0.3\n0,0,2,,9.9999,22.3333\n");
+    let outcome = desk.run(&["link", "odd.csv", "--short"]);
+    assert_eq!(outcome.code, 0);
+    assert!(outcome.stderr.starts_with("note: positions are rounded by up to 0.00"), "{}", outcome.stderr);
+    assert_eq!(desk.answer(&["link", "show.json", "--short"]), desk.answer(&["link", "show.json"]));
+}
+
+#[test]
+fn convert_goes_both_ways() {
+    let desk = Desk::new();
+    assert_eq!(desk.answer(&["convert", "keyframes.csv", "scene.json"]), "");
+    assert_eq!(desk.run(&["convert", "scene.json", "again.csv"]).code, 0);
+    desk.answer(&["convert", "again.csv", "again.json"]);
+    let [first, second] = ["scene.json", "again.json"].map(|name| parsed(&desk.read(name)));
+    assert_eq!(first["keyframes"], second["keyframes"]);
+    assert_eq!(desk.run(&["convert", "scene.json", "-"]).stdout, desk.read("again.csv"));
+}
+
+#[test]
+fn check_counts() {
+    let desk = Desk::new();
+    assert_eq!(desk.answer(&["check", "show.json"]), "ok: 4 agents, 2 keyframes\n");
+    assert_eq!(desk.answer(&["check", "keyframes.csv"]), "ok: 2 agents, 2 keyframes\n");
+}
+
+#[test]
+fn a_dash_is_standard_input() {
+    let desk = Desk::new();
+    for input in ["show.json", "keyframes.csv"] {
+        let by_name = desk.run(&["check", input]);
+        assert_eq!(desk.run_with(&["check", "-"], &desk.read(input)), by_name);
+    }
+    let link = desk.answer(&["link", "show.json"]);
+    assert_eq!(desk.run_with(&["open", "-"], &link).stdout, desk.answer(&["open", link.trim()]));
+    assert_eq!(desk.run_with(&["check", "-"], &link).stdout, "ok: 4 agents, 2 keyframes\n");
+}
+
+#[test]
+fn overrides_count_and_leave_the_rest() {
+    let desk = Desk::new();
+    let scene = desk.answer(&[
+        "link",
+        "show.json",
+        "--method",
+        "spectral",
+        "--minimum-distance",
+        "0.5",
+        "--join",
+        "separate",
+        "--avoidance",
+        "false",
+    ]);
+    let scene = parsed(&desk.answer(&["open", scene.trim()]));
+    assert_eq!(scene["minimumDistance"], 0.5);
+    assert_eq!(scene["segments"][0]["method"], "spectral");
+    assert_eq!(scene["frameRate"], 2.0);
+}
+
+#[test]
+fn the_same_scene_gives_the_same_bytes() {
+    let desk = Desk::new();
+    for arguments in
+        [&["motion", "show.json", "--method", "auto"][..], &["measure", "show.json", "--method", "auto", "--json"], &["link", "show.json"]]
+    {
+        assert_eq!(desk.run(arguments), desk.run(arguments));
+    }
+}
+
+#[test]
+fn every_verb_has_help_with_an_example() {
+    let desk = Desk::new();
+    for verb in ["motion", "measure", "modes", "assign", "link", "open", "convert", "check"] {
+        let help = desk.answer(&[verb, "--help"]);
+        assert!(help.contains(&format!("  eigenform {verb} ")), "{help}");
+    }
+    assert!(desk.answer(&["--help"]).contains("Exit codes"));
+}
