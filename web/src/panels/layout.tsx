@@ -6,6 +6,7 @@ import { Inspector } from "./inspector/inspector";
 import { Rail } from "./rail";
 import { SheetButton, useSheet } from "./sheet";
 import { ContextBar } from "./stage-edge/context-bar";
+import { Hint } from "./stage-edge/hint";
 import { InfoLine } from "./stage-edge/info-line";
 import { LayerToggles } from "./stage-edge/layer-toggles";
 import { Toasts } from "./stage-edge/toasts";
@@ -51,6 +52,7 @@ export function Layout({ parts }: { parts: Parts }) {
         <div class="time">
           <Timeline />
         </div>
+        <Hint />
       </main>
       <Dialogs />
       <Announcer />

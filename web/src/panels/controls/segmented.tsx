@@ -15,7 +15,7 @@ export function Segmented<T extends string>(props: {
         <label key={choice.value}>
           <input
             type="radio"
-            class="unseen"
+            class="overlaid"
             name={name}
             value={choice.value}
             checked={choice.value === props.value}

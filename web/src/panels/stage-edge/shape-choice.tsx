@@ -37,7 +37,7 @@ export function ShapeChoice() {
         <label key={entry.shape} data-tip={entry.name} data-tip-side="top">
           <input
             type="radio"
-            class="unseen"
+            class="overlaid"
             name={name}
             aria-label={entry.name}
             value={entry.shape}
