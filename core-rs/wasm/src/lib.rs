@@ -7,11 +7,11 @@ mod desk;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use eigenform::adjacency::Adjacency;
 use eigenform::choice::Choice;
 use eigenform::formation::Formation;
 use eigenform::perform::{Performed, Performer, SegmentJob, Step};
 use eigenform::scene::Scene;
-use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use desk::{Refusal, decode, encode};
@@ -65,7 +65,7 @@ impl Engine {
 
     /// Works on a segment for a while; answers how far it is, 1 when it is done and can be read.
     pub fn step(&mut self, segment: usize, held: Option<String>) -> Result<f64, Refusal> {
-        let scene = self.scene.as_ref().expect("a scene is set before a segment is planned");
+        let scene = at_hand(self.scene.as_ref());
         let mut job = match self.job.take() {
             Some((index, job)) if index == segment => job,
             _ => self.performer.begin(scene, segment, held.map(|text| decode::<Choice>(&text))),
@@ -109,38 +109,53 @@ impl Engine {
 
     /// Ties of a keyframe: a, b a tie, a < b, ascending.
     pub fn tie_pairs(&mut self, keyframe: usize) -> Result<Vec<u32>, Refusal> {
-        let graph = self.performer.graph(self.scene(), keyframe)?;
+        let graph = self.graph(keyframe)?;
         Ok(graph.ties().iter().flat_map(|tie| [tie.a, tie.b]).collect())
     }
 
     /// Their factors.
     pub fn tie_factors(&mut self, keyframe: usize) -> Result<Vec<f64>, Refusal> {
-        let graph = self.performer.graph(self.scene(), keyframe)?;
+        let graph = self.graph(keyframe)?;
         Ok(graph.ties().iter().map(|tie| tie.factor).collect())
     }
 
     /// The scene at hand as a file.
     pub fn write_scene(&self) -> String {
-        eigenform::scene::write_json(self.at_hand())
+        eigenform::scene::write_json(at_hand(self.scene.as_ref()))
     }
 
     /// The scene at hand as keyframe CSV: JSON `{text, notes}`.
     pub fn write_keyframes(&self) -> String {
-        desk::keyframes(self.at_hand())
+        desk::keyframes(at_hand(self.scene.as_ref()))
     }
 
     /// The whole motion as `csv` or `json`.
     pub fn write_motion(&mut self, format: &str) -> Result<String, Refusal> {
-        desk::motion(&mut self.performer, self.scene.as_ref().expect("a scene is set"), format)
+        desk::motion(&mut self.performer, at_hand(self.scene.as_ref()), format)
     }
 
     /// The scene at hand as a link: JSON `{fragment, rounding, brokenKeyframes}`.
     pub fn link(&self, is_short: bool) -> String {
-        desk::link(self.at_hand(), is_short)
+        desk::link(at_hand(self.scene.as_ref()), is_short)
     }
 
     /// The slot of each agent, least total squared distance; x, y an agent.
     pub fn assign(&self, source: &[f64], target: &[f64]) -> Vec<u32> {
         desk::assign(&desk::formation(source), &desk::formation(target))
     }
+}
+
+impl Engine {
+    fn done(&self) -> &Performed {
+        self.done.as_deref().expect("a segment is done before it is read")
+    }
+
+    fn graph(&mut self, keyframe: usize) -> Result<Arc<Adjacency>, Refusal> {
+        Ok(self.performer.graph(at_hand(self.scene.as_ref()), keyframe)?)
+    }
+}
+
+/// The client sends a scene before it asks about one.
+fn at_hand(scene: Option<&Scene>) -> &Scene {
+    scene.expect("a scene is set before it is asked about")
 }

@@ -83,6 +83,9 @@ export function createDocument(initial: Scene): DocumentStore {
     selection,
     activeKeyframe,
     beginGesture,
+    start(first) {
+      step(() => startHistory(first));
+    },
     perform(command) {
       step((past) => record(past, command, command.apply(past.present)));
     },

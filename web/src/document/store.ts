@@ -28,6 +28,8 @@ export interface DocumentStore {
   readonly selection: Signal<Selection>;
   /** The keyframe the person edits; follows the selection and the playhead. */
   readonly activeKeyframe: Signal<number>;
+  /** Begin with another scene as if the page had opened with it: nothing to undo. */
+  start(scene: Scene): void;
   perform(command: Command): void;
   beginGesture(): Gesture;
   undo(): void;

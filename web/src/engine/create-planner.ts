@@ -34,6 +34,9 @@ interface Errand {
   readonly ties: ReadonlyMap<number, Inputs>;
 }
 
+/** A segment that takes the engine down with it so many times is not tried again by itself. */
+const CRASH_LIMIT = 2;
+
 const WAITING: Planning = { kind: "planning", progress: 0, stale: null };
 
 export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs): Planner {
@@ -45,6 +48,8 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
   let errand: Errand | null = null;
   /** While dragging the errand under way ends before the newest scene is sent: else none would ever end. */
   let isBehind = false;
+  /** Crashes by the inputs of the segment that was under way. */
+  const crashes = new Map<number, { readonly inputs: Inputs; count: number }>();
 
   function publish(): void {
     segments.value = knownSegments.map((known) => known?.result ?? WAITING);
@@ -75,6 +80,7 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
     const to = scene.peek();
     compare(to);
     if (!link) {
+      if (errand) blame(errand);
       errand = null;
       publish();
       return;
@@ -86,6 +92,21 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
     }
     send(link, to);
     publish();
+  }
+
+  /** The engine died on an errand: the segment it was at is given up when it happens again. */
+  function blame(lost: Errand): void {
+    for (const [index, inputs] of lost.segments) {
+      if (knownSegments[index]?.result.kind !== "planning") continue;
+      const known = crashes.get(index);
+      const count = known && areSame(known.inputs, inputs) ? known.count + 1 : 1;
+      crashes.set(index, { inputs, count });
+      if (count >= CRASH_LIMIT) {
+        const what = "The engine stopped twice while it planned this transition.";
+        settle(index, inputs, { kind: "failed", problem: { code: "engine-stopped", what, where: "" } });
+      }
+      return;
+    }
   }
 
   function send(link: WorkerLink, to: Scene): void {

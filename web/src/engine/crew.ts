@@ -20,11 +20,16 @@ export interface Crew {
   replacePlanner(): void;
 }
 
-export function createCrew(module: Promise<WebAssembly.Module>, onTrouble: (why: string) => void): Crew {
+export function createCrew(
+  module: Promise<WebAssembly.Module>,
+  onTrouble: (what: string, advice: string) => void,
+): Crew {
   const health = signal<Health>("starting");
   const planner = signal<WorkerLink | null>(null);
   let desk: Promise<WorkerLink> = start();
   let deaths = 0;
+  /** A planner that is ended on purpose is no trouble. */
+  let isReplacing = false;
 
   async function start(): Promise<WorkerLink> {
     const link = new WorkerLink(await module);
@@ -37,8 +42,12 @@ export function createCrew(module: Promise<WebAssembly.Module>, onTrouble: (why:
     waiting.then(
       (link) => {
         link.onDeath = () => {
-          if (link === planner.peek()) bury();
-          else renewDesk();
+          if (link !== planner.peek()) {
+            renewDesk();
+            return;
+          }
+          if (!isReplacing) onTrouble("The engine stopped and is starting again.", "Your scene is untouched.");
+          bury();
         };
       },
       () => {
@@ -59,7 +68,7 @@ export function createCrew(module: Promise<WebAssembly.Module>, onTrouble: (why:
       return;
     }
     health.value = "failed";
-    onTrouble("The engine does not start. Reload the page; your scene is kept.");
+    onTrouble("The engine does not start.", "Reload the page to try again; your scene is kept.");
   }
 
   /** The desk becomes the planner; a new desk starts behind it. */
@@ -89,7 +98,9 @@ export function createCrew(module: Promise<WebAssembly.Module>, onTrouble: (why:
     planner,
     desk: () => desk,
     replacePlanner() {
+      isReplacing = true;
       planner.peek()?.terminate("the engine did not answer");
+      isReplacing = false;
     },
   };
 }

@@ -1,4 +1,5 @@
 import { openScene } from "../document/open-scene";
+import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { type Engine, EngineError, type EngineProblem, type Opened } from "../engine/api";
 import type { Messages } from "../panels/messages";
@@ -28,6 +29,12 @@ export function sentence({ what, where }: EngineProblem): string {
   return where ? `${what} (${where})` : what;
 }
 
+/** A table has no title: it is called by its file. */
+function titled({ scene, source }: Opened, name: string): Scene {
+  if (source !== "csv" || scene.title !== "") return scene;
+  return { ...scene, title: name.replace(/\.[a-z]+$/i, "").slice(0, 200) };
+}
+
 export function problemFrom(error: unknown): EngineProblem {
   if (error instanceof EngineError) return error.problem;
   return { code: "unexpected", what: error instanceof Error ? error.message : String(error), where: "" };
@@ -54,7 +61,7 @@ export function createIntake({ engine, document, messages, onOpened }: IntakePar
   async function openText(text: string, name: string): Promise<boolean> {
     const opened = await read(text, name);
     if (!opened) return false;
-    openScene(document, opened.scene, `Open ${name}`);
+    openScene(document, titled(opened, name), `Open ${name}`);
     onOpened();
     const notes = opened.notes.join(" ");
     messages.say({ tone: "good", title: `${name} is open.`, text: notes || "The scene before it is one undo away." });

@@ -1,0 +1,243 @@
+import { computed } from "@preact/signals";
+import { h } from "preact";
+import { createAutosave } from "./document/autosave";
+import { createDocument } from "./document/create-store";
+import { emptyScene } from "./document/defaults";
+import { Formation } from "./document/formation";
+import { openScene } from "./document/open-scene";
+import { mainTrack } from "./document/scene";
+import { createEngine } from "./engine/create-engine";
+import { createPlanner } from "./engine/create-planner";
+import { createCrew } from "./engine/crew";
+import { compileEngine } from "./engine/module";
+import { type ArrivalParts, arrive, hasAgents, linkIn, openLink } from "./files/arrival";
+import { withChosen } from "./files/chosen";
+import { download, fileName } from "./files/download";
+import { attachDrop, pickFile } from "./files/drop";
+import { EXAMPLES, FIRST_EXAMPLE, loadPreviews, readExample } from "./files/examples";
+import { createIntake, problemFrom, sentence } from "./files/intake";
+import { keepScene } from "./files/keep";
+import { attachClipboard, createAgentClipboard } from "./panels/clipboard-actions";
+import { createActions } from "./panels/create-actions";
+import { createDialogs } from "./panels/dialogs/dialogs";
+import { DialogHost } from "./panels/dialogs/host";
+import type { DialogServices } from "./panels/dialogs/services";
+import type { ActionParts } from "./panels/doing";
+import { followPlayhead } from "./panels/follow-playhead";
+import { attachKeyboard } from "./panels/keyboard";
+import { createMessages } from "./panels/messages";
+import { mountPanels } from "./panels/mount";
+import { showOf } from "./panels/show-of";
+import type { Studio } from "./panels/studio";
+import { Timeline } from "./panels/timeline/timeline";
+import { createPlayback } from "./playback/playback";
+import { showDuration } from "./playback/show";
+import { createView } from "./stage/create-view";
+import { createStage } from "./stage/stage";
+import { rememberTheme } from "./theme/remember";
+import { attachTools } from "./tools/attach-tools";
+import { createToolbox } from "./tools/create-toolbox";
+
+/** The composition root: the only file that knows every folder. */
+
+const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
+
+const store = createDocument(emptyScene());
+const view = createView(store.scene);
+const playback = createPlayback(computed(() => showDuration(mainTrack(store.scene.value))));
+const messages = createMessages();
+const dialogs = createDialogs();
+const autosave = createAutosave();
+rememberTheme(view.theme);
+followPlayhead(store, playback);
+
+const crew = createCrew(compileEngine(), (title, text) => messages.say({ tone: "problem", title, text }));
+const engine = createEngine(crew);
+const planner = createPlanner({ scene: store.scene, isDragging: store.isDragging, time: playback.time, crew });
+
+function positionsAt(time: number): Float32Array {
+  const show = showOf(studio).peek();
+  const xy = new Float32Array(show.agentCount * 2);
+  show.positionsInto(time, xy);
+  return xy;
+}
+
+const toolbox = createToolbox({
+  document: store,
+  view,
+  playback,
+  engine,
+  ties: planner.ties,
+  shownXy: () => positionsAt(playback.time.peek()),
+  announce: messages.announce,
+  warn: (title, text) => messages.say({ tone: "problem", title, text }),
+});
+
+const intake = createIntake({ engine, document: store, messages, onOpened: showFromStart });
+
+function showFromStart(): void {
+  playback.pause();
+  playback.seek(0);
+  view.fit();
+}
+
+function saveFile(ending: string, text: string, type: string): void {
+  download(fileName(store.scene.peek().title, ending), text, type);
+}
+
+async function save(): Promise<void> {
+  try {
+    const text = await engine.writeScene(sceneToShare());
+    saveFile("eigenform.json", text, "application/json");
+    messages.announce("The scene file is in your downloads.");
+  } catch (error) {
+    messages.say({ tone: "problem", title: "The scene was not saved as a file.", text: sentence(problemFrom(error)) });
+  }
+}
+
+const sceneToShare = () => withChosen(store.scene.peek(), planner.segments.peek());
+
+async function openExample(id: string): Promise<void> {
+  const title = EXAMPLES.find((example) => example.id === id)?.title ?? "The example";
+  try {
+    const opened = await intake.read(await readExample(id), title);
+    if (!opened) return;
+    openScene(store, opened.scene, `Open ${title}`);
+    showFromStart();
+    playWhereWelcome();
+  } catch (error) {
+    messages.say({ tone: "problem", title: `${title} was not opened.`, text: sentence(problemFrom(error)) });
+  }
+}
+
+/** Nothing moves by itself for a person who asked for less motion. */
+function playWhereWelcome(): void {
+  if (!matchMedia("(prefers-reduced-motion: reduce)").matches) playback.play();
+}
+
+const actionParts: ActionParts = {
+  document: store,
+  playback,
+  view,
+  toolbox,
+  messages,
+  engine,
+  clipboard: navigator.clipboard,
+  positionsAt: (time) => new Formation(Float64Array.from(positionsAt(time))),
+  cancelGesture: toolbox.cancel,
+  files: {
+    new: () => {
+      openScene(store, emptyScene(), "New scene");
+      showFromStart();
+    },
+    open: () => pickFile((file) => void intake.openFile(file)),
+    save: () => void save(),
+    export: () => dialogs.show({ kind: "export" }),
+    share: () => dialogs.show({ kind: "share" }),
+    examples: () => dialogs.show({ kind: "examples" }),
+    help: () => dialogs.show({ kind: "help" }),
+    palette: () => dialogs.show({ kind: "palette" }),
+  },
+};
+const agentClipboard = createAgentClipboard(actionParts);
+const actions = createActions(actionParts, agentClipboard);
+const studio: Studio = { document: store, playback, view, planner, engine, toolbox, actions, messages };
+
+const services: DialogServices = {
+  address: location.origin + location.pathname,
+  sceneToShare,
+  examples: EXAMPLES,
+  loadPreviews,
+  openExample,
+  saveFile,
+};
+
+const stageHost = document.createElement("div");
+createStage(stageHost, {
+  scene: store.scene,
+  selection: store.selection,
+  segments: planner.segments,
+  ties: planner.ties,
+  playback,
+  view,
+  toolbox,
+});
+attachTools(stageHost, toolbox, view, isMac);
+
+const root = document.getElementById("app");
+if (!root) throw new Error("the page has a place for the app");
+mountPanels(root, studio, {
+  stageHost,
+  savedText: autosave.words,
+  Timeline,
+  Dialogs: () => h(DialogHost, { dialogs, services }),
+});
+attachKeyboard(window, { actions, isMac, holdSpace: toolbox.holdSpace, releaseSpace: toolbox.releaseSpace });
+attachClipboard(document, agentClipboard);
+attachDrop(
+  document.documentElement,
+  (file) => void intake.openFile(file),
+  (text) => void intake.openText(text, "What you dropped"),
+);
+
+const OPEN_LINKED = "Open the linked scene";
+
+const arrival: ArrivalParts = {
+  intake,
+  async saved() {
+    const restored = await autosave.restore();
+    if (restored.kind === "text") {
+      if (restored.isNewestDamaged) {
+        messages.say({
+          tone: "problem",
+          title: "Your last change could not be read back.",
+          text: "This is the scene as it was kept before it.",
+        });
+      }
+      return restored.text;
+    }
+    if (restored.kind === "damaged") {
+      messages.say({
+        tone: "problem",
+        title: "Your last scene could not be read back.",
+        text: "Its copy on this device is damaged.",
+      });
+    }
+    return null;
+  },
+  restore(scene) {
+    store.start(scene);
+    showFromStart();
+  },
+  open(scene, label) {
+    openScene(store, scene, label);
+    showFromStart();
+    playWhereWelcome();
+  },
+  async showFirstExample() {
+    const opened = await intake.read(await readExample(FIRST_EXAMPLE), "The example");
+    if (!opened) return;
+    store.start(opened.scene);
+    showFromStart();
+    playWhereWelcome();
+  },
+  async askToOpen() {
+    const question = {
+      title: "Open the linked scene?",
+      text: "Yours stays on this device, one undo away.",
+    };
+    return (await dialogs.ask(question, [OPEN_LINKED, "Keep mine"])) === OPEN_LINKED;
+  },
+};
+
+addEventListener("hashchange", () => {
+  const link = linkIn(location.hash);
+  if (link) void openLink(link, hasAgents(store.scene.peek()), arrival);
+});
+
+try {
+  await arrive(arrival);
+} catch (error) {
+  messages.say({ tone: "problem", title: "The first scene did not open.", text: sentence(problemFrom(error)) });
+}
+keepScene(store, autosave, engine);
