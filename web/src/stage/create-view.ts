@@ -12,6 +12,7 @@ import {
   union,
   zoomedAt,
 } from "./camera";
+import { createGlide, framesForMotion } from "./glide";
 import { contentOf, sheetOf } from "./sheet";
 import { clamp } from "./spacing";
 import type { Camera, Layers, View } from "./view";
@@ -26,6 +27,7 @@ const NARROW = 640;
 
 /** The whole stage is shown unless the show fills so little of it that going closer pays. */
 const WORTH_GOING_CLOSER = 1.25;
+const WORTH_IT_ON_A_PHONE = 1.02;
 
 /** A disc that sticks out at the edge does not unsettle the view of the stage. */
 const NEARLY_WHOLE = 0.97;
@@ -45,24 +47,24 @@ export function createView(scene: ReadonlySignal<Scene>): View {
   const size = signal<Size>({ width: 0, height: 0 });
   const camera = signal<Camera>(fitting(sheet.peek(), { width: 800, height: 600 }, ROOM_FOR_PANELS));
   const whole = computed(() => fitting(sheet.value, size.value, paddingFor(size.value)));
+  const glide = createGlide(camera, framesForMotion());
   let isFitted = true;
   let lastSize = size.peek();
 
   function place(next: Camera): void {
+    isFitted = false;
+    glide.stop();
     const shown: Bounds = union(sheet.peek(), contentOf(scene.peek()) ?? sheet.peek());
     camera.value = keptInSight(next, shown, size.peek(), IN_SIGHT);
   }
 
-  function fitShow(): void {
-    isFitted = true;
-    camera.value = fittedTo(scene.peek(), whole.peek(), size.peek());
-  }
+  const fitted = () => fittedTo(scene.peek(), whole.peek(), size.peek());
 
   effect(() => {
     const next = size.value;
     if (next.width === 0 || next.height === 0) return;
-    if (isFitted) fitShow();
-    else camera.value = recentered(camera.peek(), lastSize, next);
+    glide.stop();
+    camera.value = isFitted ? fitted() : recentered(camera.peek(), lastSize, next);
     lastSize = next;
   });
 
@@ -74,7 +76,6 @@ export function createView(scene: ReadonlySignal<Scene>): View {
     theme: signal<"light" | "dark" | "system">("system"),
     zoom: computed(() => camera.value.scale / whole.value.scale),
     zoomBy(factor, at) {
-      isFitted = false;
       const middle = at ?? { x: size.peek().width / 2, y: size.peek().height / 2 };
       const unit = whole.peek().scale;
       const scale = clamp(
@@ -85,10 +86,12 @@ export function createView(scene: ReadonlySignal<Scene>): View {
       place(zoomedAt(camera.peek(), scale / camera.peek().scale, middle));
     },
     panBy(dx, dy) {
-      isFitted = false;
       place(pannedBy(camera.peek(), dx, dy));
     },
-    fit: fitShow,
+    fit() {
+      isFitted = true;
+      if (size.peek().width > 0) glide.to(fitted());
+    },
   };
 }
 
@@ -106,9 +109,14 @@ function fittedTo(scene: Scene, whole: Camera, size: Size): Camera {
     return zoomedAt(close, closest / close.scale, middle);
   }
   const isOutside = fitting(union(sheetOf(scene.stage), content), size, padding).scale < whole.scale * NEARLY_WHOLE;
-  return close.scale > whole.scale * WORTH_GOING_CLOSER || isOutside ? close : whole;
+  const worth = isNarrow(size) ? WORTH_IT_ON_A_PHONE : WORTH_GOING_CLOSER;
+  return close.scale > whole.scale * worth || isOutside ? close : whole;
 }
 
 function paddingFor(size: Size): Padding {
-  return size.width <= NARROW ? ROOM_ON_A_PHONE : ROOM_FOR_PANELS;
+  return isNarrow(size) ? ROOM_ON_A_PHONE : ROOM_FOR_PANELS;
+}
+
+function isNarrow(size: Size): boolean {
+  return size.width <= NARROW;
 }

@@ -11,6 +11,7 @@ import { drawNames } from "./layers/names";
 import { drawPathsToCome, drawStraightPaths } from "./layers/paths";
 import { drawCuts, drawTies } from "./layers/ties";
 import { createTrailsLayer } from "./layers/trails";
+import { createTurns, type Part } from "./layers/turns";
 import type { Scenery } from "./scenery";
 import { smoothstep } from "./spacing";
 import type { Layers } from "./view";
@@ -33,13 +34,19 @@ export interface MotionPicture {
   readonly time: number;
 }
 
-/** Draws everything that moves. Owns what its layers keep. */
+/**
+ * Draws everything that moves. Owns what its layers keep.
+ *
+ * Sparing, the agents are where they are and what lies under them is half a step behind, by turns.
+ */
 export function createMotionPainter(): (
   context: CanvasRenderingContext2D,
   frame: Frame,
   picture: MotionPicture,
   scratch: CanvasRenderingContext2D,
+  isSparing: boolean,
 ) => void {
+  const turns = createTurns();
   const drawAgents = createAgentsLayer();
   const drawTrails = createTrailsLayer();
   const clashes = new ClashFinder();
@@ -66,9 +73,13 @@ export function createMotionPainter(): (
     else if (target) drawStraightPaths(context, frame, target.xy);
   }
 
-  return (context, frame, picture, scratch) => {
+  function drawGround(
+    context: CanvasRenderingContext2D,
+    frame: Frame,
+    picture: MotionPicture,
+    scratch: CanvasRenderingContext2D,
+  ): void {
     const { scene, track, show, scenery, layers, selection, time } = picture;
-    context.clearRect(0, 0, frame.size.width, frame.size.height);
     if (layers.groups) drawHulls(context, frame, scenery.hulls);
     if (selection.kind === "group") {
       const place = frame.cast.groups.findIndex((group) => group.path.join() === selection.path.join());
@@ -84,7 +95,14 @@ export function createMotionPainter(): (
       drawCuts(context, frame, (track.keyframes[show.keyframeBefore(time)]?.adjacency ?? scene.adjacency).cuts);
     }
     if (layers.ghosts) drawAllPaths(context, frame, picture);
-    if (layers.trails) drawAllTrails(context, frame, picture);
+  }
+
+  return (context, frame, picture, scratch, isSparing) => {
+    const { scene, layers } = picture;
+    context.clearRect(0, 0, frame.size.width, frame.size.height);
+    const parts: Part[] = [(onto) => drawGround(onto, frame, picture, scratch)];
+    if (layers.trails) parts.push((onto) => drawAllTrails(onto, frame, picture));
+    turns.draw(context, frame, parts, isSparing);
     drawAgents(context, frame);
     if (layers.names) drawNames(context, frame);
     if (scene.minimumDistance > 0) {

@@ -27,7 +27,7 @@ export function trailLook(spacing: number, radius: number, trailAlpha: number, a
   const room = fade(spacing, 12, 14);
   const ease = fade(spacing, 36, 44);
   const isLayered = radius > 6 && agentCount <= FEW;
-  const steps = isLayered ? 18 : radius > 4.5 ? 8 : 6;
+  const steps = isLayered ? 18 : 6;
   return {
     reach: 0.5 + 0.5 * room,
     tailWidth: Math.max(0.35, 0.14 * radius),

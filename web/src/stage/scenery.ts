@@ -4,7 +4,7 @@ import type { TieList } from "../engine/api";
 import type { Cast } from "./cast";
 import type { HullShape } from "./layers/hulls";
 import { neighborSpacing, transitionSpacing } from "./spacing";
-import { bundleTies, pairsWithin, type TieBundle } from "./ties";
+import { bundleTies, pairsWithin, type TieBundle, trianglesOf } from "./ties";
 
 /** What a stretch of the show is drawn with, beside the places of its agents. */
 export interface Scenery {
@@ -13,6 +13,10 @@ export interface Scenery {
   /** One a group, in the cast's order. */
   readonly hulls: readonly HullShape[];
 }
+
+/** Only where there is much room does a hull not cover the inside of a triangle; then there are not many agents. */
+const FEW_TO_FILL = 60;
+const NO_TRIANGLES = new Uint32Array(0);
 
 /** Scenery of a segment, or of a keyframe where the agents stand; kept until what it is made of changes. */
 export function createSceneryKeeper(): (
@@ -33,7 +37,10 @@ export function createSceneryKeeper(): (
     const bundles = from ? bundle(track, ties, index, from, to) : [];
     kept = {
       ties: bundles,
-      hulls: cast.groups.map(({ color, agents }) => ({ color, agents, pairs: pairsWithin(bundles, agents) })),
+      hulls: cast.groups.map(({ color, agents }) => {
+        const pairs = pairsWithin(bundles, agents);
+        return { color, agents, pairs, triangles: agents.length <= FEW_TO_FILL ? trianglesOf(pairs) : NO_TRIANGLES };
+      }),
     };
     return kept;
   };

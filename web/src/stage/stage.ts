@@ -15,6 +15,7 @@ import { drawBackdrop } from "./layers/backdrop";
 import { drawGhosts, drawTargets } from "./layers/onion";
 import { createLoop } from "./loop";
 import { onionAt } from "./onion";
+import { createPace } from "./pace";
 import { type Palette, paletteOf } from "./palette";
 import { createSceneryKeeper } from "./scenery";
 import { spacingAt, transitionSpacing } from "./spacing";
@@ -58,12 +59,14 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   });
 
   const needs = { backdrop: true, motion: true, handles: true };
+  const pace = createPace();
   const paintMotion = createMotionPainter();
   const sceneryFor = createSceneryKeeper();
   let frame: Frame | null = null;
   let drawnOnion: ReturnType<typeof onionAt> | null = null;
 
   const loop = createLoop((elapsed) => {
+    pace.note(elapsed);
     if (playback.isPlaying.peek()) playback.tick(elapsed);
     draw();
     return playback.isPlaying.peek();
@@ -137,6 +140,7 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
         time,
       },
       canvases.scratch,
+      pace.isSparing && playback.isPlaying.peek(),
     );
   }
 
@@ -145,6 +149,9 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   }
 
   function paintHandles(into: Frame): void {
+    // An empty sheet laid over the others would cost every frame.
+    canvases.handles.canvas.hidden = !hasHandles();
+    if (!hasHandles()) return;
     const isSelecting = toolbox.active.peek() === "select" && selection.peek().kind === "agents";
     drawHandles(canvases.handles, into, {
       selection: selection.peek(),

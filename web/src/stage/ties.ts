@@ -92,6 +92,25 @@ export function pairsWithin(bundles: readonly TieBundle[], agents: Uint32Array):
   return Uint32Array.from(pairs);
 }
 
+/** Three agents all tied to each other, once each: a0, b0, c0, a1, … */
+export function trianglesOf(pairs: Uint32Array): Uint32Array {
+  const later = new Map<number, Set<number>>();
+  for (let k = 0; k + 1 < pairs.length; k += 2) {
+    const a = Math.min(pairs[k] ?? 0, pairs[k + 1] ?? 0);
+    const b = Math.max(pairs[k] ?? 0, pairs[k + 1] ?? 0);
+    const known = later.get(a);
+    if (known) known.add(b);
+    else later.set(a, new Set([b]));
+  }
+  const triangles: number[] = [];
+  for (const [a, others] of later) {
+    for (const b of others) {
+      for (const c of later.get(b) ?? []) if (others.has(c)) triangles.push(a, b, c);
+    }
+  }
+  return Uint32Array.from(triangles);
+}
+
 function eachTie(
   ties: TieList,
   formation: Formation,

@@ -3,7 +3,7 @@ import { clamp } from "../spacing";
 import { createSprites, type Sprites } from "../sprites";
 
 /** More discs than this are stamped from sprites; fewer are drawn where they are to a fraction of a pixel. */
-const MANY = 320;
+const MANY = 60;
 
 /** Discs over a halo of the sheet, in order: a later agent lies on top. Owns its sprites. */
 export function createAgentsLayer(): (context: CanvasRenderingContext2D, frame: Frame) => void {

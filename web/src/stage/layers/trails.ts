@@ -2,8 +2,8 @@ import type { SegmentMotion } from "../../playback/motion";
 import type { Frame } from "../frame";
 import { outlineInto, stepAlpha, type TrailLook, trailLook } from "../ribbon";
 
-/** Ribbons filled as one path: few enough that the rasterizer's edge list stays short. */
-const BATCH = 16;
+/** A step that bends less than this, CSS pixels, is drawn straight: four corners fill far faster than a bent outline. */
+const STRAIGHT = 0.35;
 
 /** A stretch of a motion that is drawn, scene seconds. */
 export interface TrailSpan {
@@ -71,28 +71,32 @@ export function createTrailsLayer(): (context: CanvasRenderingContext2D, frame: 
     }
   }
 
-  function fillStep(context: CanvasRenderingContext2D, agents: Uint32Array, places: number, from: number, to: number) {
-    let inPath = 0;
-    context.beginPath();
-    for (const agent of agents) {
-      if (isSeen[agent] !== 1) continue;
-      const base = 4 * agent * places;
-      context.moveTo(outlines[base + 4 * from] ?? 0, outlines[base + 4 * from + 1] ?? 0);
-      for (let place = from + 1; place <= to; place += 1) {
-        context.lineTo(outlines[base + 4 * place] ?? 0, outlines[base + 4 * place + 1] ?? 0);
-      }
-      for (let place = to; place >= from; place -= 1) {
-        context.lineTo(outlines[base + 4 * place + 2] ?? 0, outlines[base + 4 * place + 3] ?? 0);
-      }
-      context.closePath();
-      inPath += 1;
-      if (inPath === BATCH) {
-        context.fill();
-        context.beginPath();
-        inPath = 0;
-      }
+  /** Whether the places between two lie on the line from one to the other. */
+  function isStraight(base: number, from: number, to: number): boolean {
+    const a = base + 4 * from;
+    const b = base + 4 * to;
+    const dx = (outlines[b] ?? 0) - (outlines[a] ?? 0);
+    const dy = (outlines[b + 1] ?? 0) - (outlines[a + 1] ?? 0);
+    const limit = STRAIGHT * Math.sqrt(dx * dx + dy * dy);
+    for (let place = from + 1; place < to; place += 1) {
+      const k = base + 4 * place;
+      const x = (outlines[k] ?? 0) - (outlines[a] ?? 0);
+      const y = (outlines[k + 1] ?? 0) - (outlines[a + 1] ?? 0);
+      if (Math.abs(x * dy - y * dx) > limit) return false;
     }
-    if (inPath > 0) context.fill();
+    return true;
+  }
+
+  function fillPiece(context: CanvasRenderingContext2D, base: number, from: number, to: number): void {
+    const stride = isStraight(base, from, to) ? to - from : 1;
+    context.beginPath();
+    for (let place = from; place <= to; place += stride) {
+      context.lineTo(outlines[base + 4 * place] ?? 0, outlines[base + 4 * place + 1] ?? 0);
+    }
+    for (let place = to; place >= from; place -= stride) {
+      context.lineTo(outlines[base + 4 * place + 2] ?? 0, outlines[base + 4 * place + 3] ?? 0);
+    }
+    context.fill();
   }
 
   return (context, frame, { motion, now, strength }) => {
@@ -109,7 +113,11 @@ export function createTrailsLayer(): (context: CanvasRenderingContext2D, frame: 
       context.fillStyle = color;
       for (let step = 0; step < look.steps; step += 1) {
         context.globalAlpha = stepAlpha(look, step) * strength;
-        fillStep(context, agents, places, step * look.bends, (look.isLayered ? look.steps : step + 1) * look.bends);
+        const from = step * look.bends;
+        const to = look.isLayered ? places - 1 : from + look.bends;
+        for (const agent of agents) {
+          if (isSeen[agent] === 1) fillPiece(context, 4 * agent * places, from, to);
+        }
       }
     }
     context.globalAlpha = 1;
