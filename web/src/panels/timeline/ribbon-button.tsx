@@ -3,7 +3,7 @@ import { useStudio } from "../studio";
 import { shortTime } from "./clock";
 import type { TransitionPlace } from "./layout";
 import { placed } from "./place";
-import { momentX, ribbonPath } from "./ribbon";
+import { momentX, ribbonPath, ribbonStart } from "./ribbon";
 import { timeAt } from "./scale";
 import { METHOD_WORDS, type TransitionState } from "./transition-state";
 import type { Viewport } from "./viewport";
@@ -29,7 +29,7 @@ export interface RibbonProps {
 /** One transition: a wedge whose shape and color say how the minimum distance fares, and how it is moved. */
 export function Ribbon({ index, names, place, state, isSelected, viewport }: RibbonProps) {
   const { document, playback } = useStudio();
-  const { status, plan, words, isPlanning } = state;
+  const { status, plan, words, progress } = state;
   const clearance = plan?.report.clearance ?? null;
   const inset = Math.min(INSET, place.width / 6);
   const width = place.width - 2 * inset;
@@ -52,7 +52,7 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
     <li ref={placed(place.left, place.width)} class="ribbon-place">
       <button
         type="button"
-        class={`ribbon is-${status}${isPlanning ? " is-planning-now" : ""}`}
+        class={progress === null ? `ribbon is-${status}` : `ribbon is-${status} is-planning`}
         aria-pressed={isSelected}
         aria-label={description(names, state, method, distance, momentTime)}
         onClick={(event) => {
@@ -63,9 +63,11 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
         <svg width={place.width} height={HEIGHT} aria-hidden="true">
           <g transform={`translate(${inset} 0)`}>
             <path
+              class="wedge-shape"
               d={ribbonPath(status, width, HEIGHT, moment)}
               fill={`url(#ribbon-${status}-${isSelected ? "chosen" : "quiet"})`}
             />
+            {progress !== null && <path class="progress" d={ribbonStart(progress, width, HEIGHT)} />}
           </g>
           {status === "clash" && (
             <path
@@ -75,10 +77,13 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
           )}
         </svg>
         {place.width >= ROOM_FOR_NUMBER && (
-          <span class="ribbon-label number">
-            {(place.width >= ROOM_FOR_METHOD || !distance) && <span>{isPlanning ? words : method || words}</span>}
+          <span class="ribbon-label known number">
+            {(place.width >= ROOM_FOR_METHOD || !distance) && <span>{method || words}</span>}
             {distance && <span class="clearance">{distance}</span>}
           </span>
+        )}
+        {place.width >= ROOM_FOR_NUMBER && progress !== null && plan && (
+          <span class="ribbon-label pending number">{words}</span>
         )}
       </button>
     </li>
@@ -87,12 +92,12 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
 
 function description(
   names: string,
-  { status, plan, words, isPlanning }: TransitionState,
+  { status, plan, words, progress }: TransitionState,
   method: string,
   distance: string | null,
   time: number,
 ): string {
-  if (!plan || isPlanning) return `Transition ${names}: ${words}`;
+  if (!plan || progress !== null) return `Transition ${names}: ${words}`;
   if (!distance) return `Transition ${names}: ${method}`;
   const where = status === "holds" ? "" : ` at ${shortTime(Math.round(time * 10) / 10)}`;
   return `Transition ${names}: ${method}, ${status}, clearance ${distance}${where}`;

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { momentX, ribbonPath } from "./ribbon";
+import { momentX, ribbonPath, ribbonStart } from "./ribbon";
 
 const HEIGHT = 54;
 
@@ -54,6 +54,13 @@ test("a tight ribbon is thinnest at its moment", () => {
     xs.findIndex((x) => x > 0),
   );
   expect(Math.abs((xs[thinnest] ?? 0) - 120)).toBeLessThanOrEqual(10);
+});
+
+test("what has been planned grows along the wedge and ends as the whole of it", () => {
+  const reach = (share: number) => Math.max(...places(ribbonStart(share, 200, HEIGHT)).xs);
+  expect([0.25, 0.5, 1].map(reach)).toEqual([50, 100, 200]);
+  expect(ribbonStart(0, 200, HEIGHT)).toBe("");
+  expect(ribbonStart(1, 200, HEIGHT)).toBe(ribbonPath("holds", 200, HEIGHT, 0));
 });
 
 test("where there is no room there is no ribbon", () => {

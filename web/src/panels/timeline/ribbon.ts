@@ -32,6 +32,15 @@ export function ribbonPath(status: Status, width: number, height: number, moment
   return piece(0, width);
 }
 
+/** The whole wedge's first `share`, 0..1: what has been planned of it. */
+export function ribbonStart(share: number, width: number, height: number): string {
+  const x = width * Math.min(1, Math.max(0, share));
+  if (x < 0.5) return "";
+  const [thin, thick] = [FAINT_END / 2, (FAINT_END + (FIRM_END - FAINT_END) * (x / width)) / 2];
+  const middle = height / 2;
+  return `M0 ${at(middle - thin)}L${at(x)} ${at(middle - thick)}V${at(middle + thick)}L0 ${at(middle + thin)}Z`;
+}
+
 /** Where the mark of a moment stands: at its time, but whole inside the ribbon. */
 export function momentX(moment: number, width: number, reach: number): number {
   return Math.min(Math.max(moment * width, Math.min(reach, width / 2)), Math.max(width - reach, width / 2));

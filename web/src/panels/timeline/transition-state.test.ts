@@ -29,12 +29,12 @@ test.each([
   [0.9, "clash"],
 ])("a planned transition with %d m of 1 m clearance says its method and %s", (distance, status) => {
   const state = transitionState({ kind: "ready", plan: plan(distance) }, 1);
-  expect(state).toMatchObject({ status, words: "Polar", isPlanning: false });
+  expect(state).toMatchObject({ status, words: "Polar", progress: null });
 });
 
 test("while it is planned anew a transition keeps its last shape and says how far the planning is", () => {
   const state = transitionState({ kind: "planning", progress: 0.629, stale: plan(0.9) }, 1);
-  expect(state).toMatchObject({ status: "clash", words: "Planning, 62 %", isPlanning: true });
+  expect(state).toMatchObject({ status: "clash", words: "Planning, 62 %", progress: 0.629 });
 });
 
 test("a transition never planned before has no status yet", () => {

@@ -104,7 +104,7 @@ function AddButton() {
       aria-keyshortcuts={keyShortcuts(action.keys)}
       disabled={!isEnabled}
       data-tip="The formation seen now, as a keyframe"
-      data-tip-side="top-end"
+      data-tip-side="top"
       data-keys={action.keys[0] && keyName(action.keys[0])}
       onClick={() => action.run()}
     >
