@@ -12,7 +12,7 @@ import { RulerStrip } from "./ruler-strip";
 import { Scrubber } from "./scrubber";
 import { TrackTouch } from "./track-touch";
 import { Transport } from "./transport";
-import { createViewport } from "./viewport";
+import { createViewport, type Viewport } from "./viewport";
 import "./timeline.css";
 
 /** The show along time: what plays it, its keyframes and the transitions between them. */
@@ -38,9 +38,7 @@ export function Timeline() {
   useSignalEffect(() => {
     if (track.current) track.current.style.transform = `translateX(${-viewport.scroll.value}px)`;
   });
-  useSignalEffect(() => {
-    if (playback.isPlaying.value) viewport.reveal(playback.time.value);
-  });
+  useFollow(viewport);
 
   return (
     <section class="timeline" aria-label="Timeline">
@@ -83,4 +81,16 @@ export function Timeline() {
       </div>
     </section>
   );
+}
+
+/** Turns the page when the playhead plays out of sight; whoever has scrolled elsewhere is left there. */
+function useFollow(viewport: Viewport): void {
+  const { playback } = useStudio();
+  const wasSeen = useRef(true);
+  useSignalEffect(() => {
+    const time = playback.time.value;
+    const isPlaying = playback.isPlaying.value;
+    if (isPlaying && wasSeen.current && !viewport.isSeen(time)) viewport.reveal(time);
+    wasSeen.current = viewport.isSeen(time);
+  });
 }

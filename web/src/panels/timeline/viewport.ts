@@ -25,6 +25,8 @@ export interface Viewport {
   scrollTo(x: number): void;
   /** @param pointer CSS pixels from the window's left edge: what is there stays there */
   zoomBy(factor: number, pointer: number): void;
+  /** Whether a time is in the window now. */
+  isSeen(time: number): boolean;
   reveal(time: number): void;
   /** Track pixels of a pointer over `element`, which is anywhere in the timeline. */
   trackX(clientX: number, element: Element): number;
@@ -73,8 +75,12 @@ export function createViewport(document: DocumentStore, playback: Playback): Vie
       zoom.value = clampZoom(before.pixelsPerSecond * factor);
       position.value = scrollAfterZoom(before, scale.value, from, pointer);
     },
+    isSeen(time) {
+      const x = xOf(scale.peek(), time) - scroll.peek();
+      return x >= 0 && x <= width.peek();
+    },
     reveal(time) {
-      position.value = scrollToReveal(xOf(scale.value, time), scroll.value, width.value);
+      position.value = scrollToReveal(xOf(scale.peek(), time), scroll.peek(), width.peek());
     },
     trackX(clientX, element) {
       const window = element.closest(".track-window") ?? element;
