@@ -113,6 +113,17 @@ test("New leaves the old scene one undo away", () => {
   expect(document.scene.value).toBe(old);
 });
 
+test("a scene brought back as it was left has nothing to undo", () => {
+  const document = documentWith([0, 0], [1, 1]);
+  document.perform(setTitle("Opener"));
+  document.beginGesture().preview(moveAgents(0, FIRST, [3, 0]));
+  const left = emptyScene();
+  document.restart(left);
+  expect(document.scene.value).toBe(left);
+  expect(document.undoLabel.value).toBeNull();
+  expect(document.isDragging.value).toBe(false);
+});
+
 test("the selection follows the agents it points at and drops those that are gone", () => {
   const document = documentWith([0, 0], [1, 0], [2, 0], [3, 0]);
   document.selection.value = { kind: "agents", agents: new Set([1, 3]) };

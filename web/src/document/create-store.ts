@@ -5,8 +5,14 @@ import type { Scene } from "./scene";
 import { NOTHING, type Selection } from "./selection";
 import type { Command, DocumentStore, Gesture } from "./store";
 
+/** A document that can start over. */
+export interface RestartableDocument extends DocumentStore {
+  /** The scene as it was left, with nothing to undo. */
+  restart(scene: Scene): void;
+}
+
 /** A document that starts with `initial` and nothing to undo. */
-export function createDocument(initial: Scene): DocumentStore {
+export function createDocument(initial: Scene): RestartableDocument {
   const history = signal<History>(startHistory(initial));
   const preview = signal<Scene | null>(null);
   const isDragging = signal(false);
@@ -88,6 +94,12 @@ export function createDocument(initial: Scene): DocumentStore {
     },
     perform(command) {
       step((past) => record(past, command, command.apply(past.present)));
+    },
+    restart(next) {
+      open?.cancel();
+      change(() => {
+        history.value = startHistory(next);
+      });
     },
     undo() {
       step(stepBack);

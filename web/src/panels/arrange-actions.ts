@@ -1,10 +1,10 @@
 import { computed } from "@preact/signals";
 import { boxOf, centerOf } from "../document/box";
 import { dissolveGroup, makeGroup, setGroupTieWeight } from "../document/commands/groups";
-import { DRAWN_TIE_FACTOR } from "../document/commands/ties";
+import { addTie, DRAWN_TIE_FACTOR, WHOLE_SCENE } from "../document/commands/ties";
 import { alignAgents, distributeAgents, type Edge, flipAgents, rotateAgents } from "../document/commands/transform";
 import { groupWithSet } from "../document/groups";
-import { groupLabel, selectedAgents } from "../document/queries";
+import { agentLabel, groupLabel, selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import type { Command } from "../document/store";
 import { type ActionParts, type Doing, type Doings, here, performOrSay } from "./doing";
@@ -19,6 +19,7 @@ type ArrangeId =
   | "rotate-right"
   | "make-group"
   | "dissolve-group"
+  | "tie-selected"
   | "tie-group";
 
 const TURN = Math.PI / 12;
@@ -93,6 +94,18 @@ export function arrangeActions(parts: ActionParts): Doings<ArrangeId> {
         document.perform(dissolveGroup(selection.path));
         document.selection.value = { kind: "agents", agents };
         messages.announce("Group dissolved");
+      },
+    },
+    "tie-selected": {
+      isEnabled: computed(() => count.value === 2),
+      run() {
+        const { scene, selection, keyframe } = here(document);
+        const [a, b] = selectedAgents(scene, selection);
+        if (a === undefined || b === undefined) return;
+        const isEverywhere = parts.toolbox.tieScope.peek() === "scene";
+        document.perform(addTie(isEverywhere ? WHOLE_SCENE : { kind: "keyframe", index: keyframe }, a, b));
+        document.selection.value = { kind: "tie", a: Math.min(a, b), b: Math.max(a, b) };
+        messages.announce(`${agentLabel(scene, a)} tied to ${agentLabel(scene, b)}`);
       },
     },
     "tie-group": {

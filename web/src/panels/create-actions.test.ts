@@ -54,6 +54,7 @@ beforeEach(() => {
     tieScope: signal("scene"),
     overlay: signal({ kind: "none" }),
     cursor: signal("default"),
+    placeInMiddle: () => {},
   };
   const nothing = () => {};
   const parts = {
@@ -159,6 +160,13 @@ test("what is deleted depends on what is selected", () => {
   run("delete");
   expect(mainTrack(document.scene.value).agents).toHaveLength(2);
   expect(isEnabled("delete")).toBe(false);
+});
+
+test("two selected agents are tied by key alone", () => {
+  document.selection.value = { kind: "agents", agents: new Set([2, 0]) };
+  run("tie-selected");
+  expect(document.scene.value.adjacency.ties).toEqual([[0, 2, 10]]);
+  expect(document.selection.value).toEqual({ kind: "tie", a: 0, b: 2 });
 });
 
 test("a formation copied at one keyframe is pasted into another", async () => {

@@ -89,6 +89,12 @@ test("Space plays, and presses the button that has the focus", () => {
   expect(done).toEqual(["play"]);
 });
 
+test("Enter places the shape in hand, and presses the button that has the focus", () => {
+  key("keydown", "Enter", BODY);
+  expect(key("keydown", "Enter", BUTTON).defaultPrevented).toBe(false);
+  expect(done).toEqual(["place-in-middle"]);
+});
+
 test("Space that was held to pan does not play", () => {
   key("keydown", " ", BODY);
   hasPanned = true;

@@ -23,7 +23,7 @@ export function attachKeyboard(page: Window, parts: KeyboardParts): () => void {
   function onKeyDown(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.isComposing || isInDialog(event.target)) return;
     if (event.code === "Space" && !event.ctrlKey && !event.metaKey && !event.altKey) {
-      if (ownsSpace(event.target)) return;
+      if (hasOwnPress(event.target)) return;
       event.preventDefault();
       if (!event.repeat) {
         isSpaceHeld = true;
@@ -63,6 +63,7 @@ function isOff(id: string, event: KeyboardEvent): boolean {
   const isCommand = event.ctrlKey || event.metaKey;
   if (isTextField(event.target)) return !isCommand || EDITS_TEXT.has(id);
   if (isCommand) return false;
+  if (event.key === "Enter" && hasOwnPress(event.target)) return true;
   if (isWithin(event.target, "[role=grid]")) return true;
   const isSteered = isWithin(
     event.target,
@@ -76,8 +77,8 @@ export function isTextField(target: EventTarget | null): boolean {
   return !isWithin(target, "input[type=range], input[type=checkbox], input[type=radio], input[type=button]");
 }
 
-/** A button that has the focus is pressed by Space, a text field takes it as a letter. */
-function ownsSpace(target: EventTarget | null): boolean {
+/** A control that has the focus is pressed by Space and Enter, a text field takes them as its own. */
+function hasOwnPress(target: EventTarget | null): boolean {
   const controls = "button, summary, a[href], select, input, [role=button], [role=option], [role=switch], [role=grid]";
   return isTextField(target) || isWithin(target, controls);
 }

@@ -15,6 +15,7 @@ export const SHORTCUTS = {
   "tool-tie": { section: "Tools", label: "Tie", keys: ["T"] },
   "tool-group": { section: "Tools", label: "Group", keys: ["G"] },
   "tool-pan": { section: "Tools", label: "Pan", keys: ["H"] },
+  "place-in-middle": { section: "Tools", label: "Place the shape in the middle", keys: ["Enter"] },
   cancel: { section: "Tools", label: "Cancel or deselect", keys: ["Escape"] },
 
   play: { section: "Play", label: "Play or pause", keys: ["Space"] },
@@ -58,6 +59,7 @@ export const SHORTCUTS = {
 
   "make-group": { section: "Groups", label: "Make group", keys: ["Ctrl+G"] },
   "dissolve-group": { section: "Groups", label: "Dissolve group", keys: ["Ctrl+Shift+G"] },
+  "tie-selected": { section: "Groups", label: "Tie the two selected agents" },
   "tie-group": { section: "Groups", label: "Tie group ten times as firm" },
 
   "use-everywhere": { section: "Transition", label: "Use these options for every transition" },

@@ -1,9 +1,18 @@
+import { computed } from "@preact/signals";
 import { NOTHING } from "../document/selection";
 import type { Layers } from "../stage/view";
 import type { ToolName } from "../tools/toolbox";
 import type { ActionParts, Doing, Doings } from "./doing";
 
-type ViewId = `tool-${ToolName}` | "cancel" | "fit" | "zoom-in" | "zoom-out" | `show-${keyof Layers}` | "theme";
+type ViewId =
+  | `tool-${ToolName}`
+  | "place-in-middle"
+  | "cancel"
+  | "fit"
+  | "zoom-in"
+  | "zoom-out"
+  | `show-${keyof Layers}`
+  | "theme";
 
 const ZOOM_STEP = 1.25;
 
@@ -30,6 +39,10 @@ export function viewActions({ document, view, toolbox, messages, cancelGesture }
     "tool-tie": tool("tie"),
     "tool-group": tool("group"),
     "tool-pan": tool("pan"),
+    "place-in-middle": {
+      isEnabled: computed(() => toolbox.active.value === "draw" || toolbox.active.value === "shape"),
+      run: () => toolbox.placeInMiddle(),
+    },
     cancel: {
       run() {
         if (cancelGesture()) return;

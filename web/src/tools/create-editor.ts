@@ -43,6 +43,9 @@ export function createEditor(parts: ToolParts, settings: Pick<Toolbox, "shape" |
     get camera() {
       return view.camera.peek();
     },
+    get size() {
+      return view.size.peek();
+    },
     get shape() {
       return settings.shape.peek();
     },

@@ -6,6 +6,7 @@ import { createEditor, type ToolParts } from "./create-editor";
 import { drawTool } from "./draw";
 import { groupTool } from "./group";
 import { panTool } from "./pan";
+import { settleInMiddle } from "./place";
 import { selectTool } from "./select";
 import { shapeTool } from "./shape";
 import { tieTool } from "./tie";
@@ -83,7 +84,7 @@ export function createToolbox(parts: ToolParts): ToolboxAtWork {
       }
       if (event.kind === "press") {
         isPressed = true;
-        isSwallowed = settle(event, active.peek(), parts, editor);
+        isSwallowed = settlePress(event, active.peek(), parts, editor);
       }
       parts.view.hovered.value = isPressed ? null : editor.agentAt(event);
       if (!isSwallowed) hands[active.peek()].send(event);
@@ -93,6 +94,12 @@ export function createToolbox(parts: ToolParts): ToolboxAtWork {
       }
     },
     cancel,
+    placeInMiddle() {
+      const tool = active.peek();
+      if (tool !== "draw" && tool !== "shape") return;
+      settleShow(parts);
+      void settleInMiddle(editor, tool === "draw" ? "line" : shape.peek());
+    },
     holdSpace() {
       isSpaceHeld.value = true;
       hasPanned = false;
@@ -107,26 +114,25 @@ export function createToolbox(parts: ToolParts): ToolboxAtWork {
   };
 }
 
-/**
- * Edits happen at a keyframe: a press while agents move first goes to the nearest one and says so.
- *
- * Whether the rest of the press is for nothing else: an agent would be dragged from where it no longer is.
- */
-function settle(press: Press, tool: ToolName, { document, playback, announce }: ToolParts, editor: Editor): boolean {
-  if (tool === "pan") return false;
+/** Edits happen at a keyframe: while agents move, the nearest is gone to, and it is said. Whether they moved. */
+function settleShow({ document, playback, announce }: ToolParts): boolean {
   playback.pause();
   const scene = document.scene.peek();
   const moment = momentAt(scene, playback.time.peek());
-  if (moment.kind === "standing") {
-    document.activeKeyframe.value = moment.keyframe;
-    return false;
-  }
-  const agent = editor.agentAt(press);
+  document.activeKeyframe.value = moment.kind === "standing" ? moment.keyframe : moment.nearest;
+  if (moment.kind === "standing") return false;
   playback.seek(mainTrack(scene).keyframes[moment.nearest]?.time ?? 0);
-  document.activeKeyframe.value = moment.nearest;
   announce(`${keyframeLabel(scene, moment.nearest)}: changes are made at keyframes`);
-  if (tool === "draw" || tool === "shape") return false;
-  if (agent !== null) document.selection.value = { kind: "agents", agents: new Set([agent]) };
+  return true;
+}
+
+/** Whether the rest of a press is for nothing: it went to a keyframe, where the agent is somewhere else. */
+function settlePress(press: Press, tool: ToolName, parts: ToolParts, editor: Editor): boolean {
+  if (tool === "pan") return false;
+  const agent = editor.agentAt(press);
+  const wasMoving = settleShow(parts);
+  if (!wasMoving || tool === "draw" || tool === "shape") return false;
+  if (agent !== null) parts.document.selection.value = { kind: "agents", agents: new Set([agent]) };
   return true;
 }
 

@@ -215,6 +215,26 @@ describe("shapes", () => {
     ]);
   });
 
+  test("without a pointer the shape in hand goes into the middle of what is seen", async () => {
+    const bench = createBench();
+    bench.view.size.value = { width: 1000, height: 800 };
+    bench.view.camera.value = { scale: 40, left: 500, top: 400 };
+    bench.toolbox.placeInMiddle();
+    expect(bench.document.undoLabel.value).toBeNull();
+    bench.toolbox.active.value = "shape";
+    bench.toolbox.shape.value = "grid";
+    bench.toolbox.spacing.value = { by: "count", count: 4 };
+    bench.toolbox.placeInMiddle();
+    await bench.settled();
+    const places = [0, 1, 2, 3].map((agent) => bench.place(agent));
+    expect(places).toEqual([
+      [-5, -4],
+      [5, -4],
+      [-5, 4],
+      [5, 4],
+    ]);
+  });
+
   test("a click places nothing and says what to do", () => {
     const bench = createBench();
     bench.toolbox.active.value = "shape";

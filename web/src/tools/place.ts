@@ -5,7 +5,9 @@ import { type Placement, placementAt } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import { snapApart, snapOf } from "../document/snap";
 import { formatCount } from "../document/units";
+import { placeShape, type ShapeName } from "../shapes/shape";
 import type { Spacing } from "../shapes/spacing";
+import { toStage } from "../stage/camera";
 import type { Editor } from "./tool";
 
 /** What a stroke or shape does here: bring new agents, or place those there are. */
@@ -54,6 +56,20 @@ export async function settlePlaces(editor: Editor, places: readonly Point[], lab
     }
   }
   gesture.commit();
+}
+
+/** How much of what is seen a shape placed without a pointer takes, each way. */
+const MIDDLE_SHARE = 0.4;
+
+/** Puts a shape into the middle of what is seen of the stage; one undo entry. */
+export function settleInMiddle(editor: Editor, shape: ShapeName): Promise<void> {
+  const { size, camera } = editor;
+  const corner = (share: number): Point => {
+    const reach = (1 + share) / 2;
+    return toStage(camera, { x: size.width * reach, y: size.height * reach });
+  };
+  const { places } = placeShape(shape, corner(-MIDDLE_SHARE), corner(MIDDLE_SHARE), spacingFor(editor));
+  return settlePlaces(editor, places, `Place ${shape}`);
 }
 
 function addPlaces(editor: Editor, slots: readonly Point[], label: string): void {

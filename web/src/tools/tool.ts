@@ -1,7 +1,7 @@
 import type { Formation, Point } from "../document/formation";
 import type { Selection } from "../document/selection";
 import type { DocumentStore } from "../document/store";
-import type { ScreenPoint } from "../stage/camera";
+import type { ScreenPoint, Size } from "../stage/camera";
 import type { Handle } from "../stage/handles";
 import type { PointerKind } from "../stage/hit";
 import type { Camera } from "../stage/view";
@@ -35,6 +35,8 @@ export interface Editor {
   /** The keyframe that is edited. */
   readonly keyframe: number;
   readonly camera: Camera;
+  /** Of what is seen of the stage. */
+  readonly size: Size;
   readonly shape: ShapeName;
   readonly spacing: Spacing;
   readonly tieScope: "scene" | "keyframe";

@@ -34,4 +34,6 @@ export interface Toolbox {
   readonly overlay: ReadonlySignal<Overlay>;
   /** CSS cursor of the stage. */
   readonly cursor: ReadonlySignal<string>;
+  /** Puts what Draw or Shape has in hand into the middle of what is seen: for hands without a pointer. */
+  placeInMiddle(): void;
 }
