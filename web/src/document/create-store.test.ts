@@ -118,7 +118,7 @@ test("a scene brought back as it was left has nothing to undo", () => {
   document.perform(setTitle("Opener"));
   document.beginGesture().preview(moveAgents(0, FIRST, [3, 0]));
   const left = emptyScene();
-  document.restart(left);
+  document.start(left);
   expect(document.scene.value).toBe(left);
   expect(document.undoLabel.value).toBeNull();
   expect(document.isDragging.value).toBe(false);

@@ -5,14 +5,8 @@ import type { Scene } from "./scene";
 import { NOTHING, type Selection } from "./selection";
 import type { Command, DocumentStore, Gesture } from "./store";
 
-/** A document that can start over. */
-export interface RestartableDocument extends DocumentStore {
-  /** The scene as it was left, with nothing to undo. */
-  restart(scene: Scene): void;
-}
-
 /** A document that starts with `initial` and nothing to undo. */
-export function createDocument(initial: Scene): RestartableDocument {
+export function createDocument(initial: Scene): DocumentStore {
   const history = signal<History>(startHistory(initial));
   const preview = signal<Scene | null>(null);
   const isDragging = signal(false);
@@ -90,16 +84,11 @@ export function createDocument(initial: Scene): RestartableDocument {
     activeKeyframe,
     beginGesture,
     start(first) {
+      open?.cancel();
       step(() => startHistory(first));
     },
     perform(command) {
       step((past) => record(past, command, command.apply(past.present)));
-    },
-    restart(next) {
-      open?.cancel();
-      change(() => {
-        history.value = startHistory(next);
-      });
     },
     undo() {
       step(stepBack);
