@@ -1,12 +1,13 @@
 import "./layout.css";
 import "./stage-edge/stage-edge.css";
-import type { ReadonlySignal } from "@preact/signals";
+import { type ReadonlySignal, useSignal, useSignalEffect } from "@preact/signals";
 import type { ComponentType } from "preact";
+import { mainTrack } from "../document/scene";
 import { Inspector } from "./inspector/inspector";
+import { lazily } from "./lazily";
 import { Rail } from "./rail";
 import { SheetButton, useSheet } from "./sheet";
 import { ContextBar } from "./stage-edge/context-bar";
-import { Hint } from "./stage-edge/hint";
 import { InfoLine } from "./stage-edge/info-line";
 import { LayerToggles } from "./stage-edge/layer-toggles";
 import { Toasts } from "./stage-edge/toasts";
@@ -14,6 +15,8 @@ import { ToolOptions } from "./stage-edge/tool-options";
 import { ZoomPill } from "./stage-edge/zoom-pill";
 import { useStudio } from "./studio";
 import { TopBar } from "./top-bar";
+
+const Hint = lazily(() => import("./stage-edge/hint").then((part) => part.Hint));
 
 /** What the page is put together from, beside the panels of this folder. */
 export interface Parts {
@@ -31,6 +34,7 @@ export interface Parts {
 export function Layout({ parts }: { parts: Parts }) {
   const { Timeline, Dialogs } = parts;
   const isSheetOpen = useSheet();
+  const hasBegunEmpty = useHasBegunEmpty();
   return (
     <div class={isSheetOpen.value ? "app sheet-open" : "app"}>
       <TopBar savedText={parts.savedText} />
@@ -52,12 +56,22 @@ export function Layout({ parts }: { parts: Parts }) {
         <div class="time">
           <Timeline />
         </div>
-        <Hint />
+        {hasBegunEmpty.value && <Hint />}
       </main>
       <Dialogs />
       <Announcer />
     </div>
   );
+}
+
+/** Whether the stage has been empty since the page was opened: whoever starts there may want a hint. */
+function useHasBegunEmpty(): ReadonlySignal<boolean> {
+  const { document } = useStudio();
+  const hasBegun = useSignal(false);
+  useSignalEffect(() => {
+    if (mainTrack(document.scene.value).agents.length === 0) hasBegun.value = true;
+  });
+  return hasBegun;
 }
 
 function StageHost({ element }: { element: HTMLElement }) {

@@ -1,6 +1,5 @@
 import "./hint.css";
 import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
-import { mainTrack } from "../../document/scene";
 import { useStudio } from "../studio";
 import { HINT_STEPS, type HintStep, hintStep } from "./hint-step";
 
@@ -17,14 +16,10 @@ const WORDS: Readonly<Record<HintStep, { readonly what: string; readonly how: st
 export function Hint() {
   const { document, playback, toolbox } = useStudio();
   const isKnown = useSignal(isKnownHere());
-  const hasBegun = useSignal(false);
   const step = useComputed(() => hintStep(document.scene.value));
 
   useSignalEffect(() => {
-    if (mainTrack(document.scene.value).agents.length === 0) hasBegun.value = true;
-  });
-  useSignalEffect(() => {
-    if (playback.isPlaying.value && hasBegun.peek() && step.peek() === "play") know();
+    if (playback.isPlaying.value && step.peek() === "play") know();
   });
   function know(): void {
     isKnown.value = true;
@@ -34,7 +29,7 @@ export function Hint() {
   const shown = step.value;
   // The tool's own options take the place beside it.
   const isBesideOptions = shown === "draw" && (toolbox.active.value === "draw" || toolbox.active.value === "shape");
-  if (isKnown.value || !hasBegun.value || isBesideOptions) return null;
+  if (isKnown.value || isBesideOptions) return null;
   const { what, how } = WORDS[shown];
   return (
     <div class="hint" data-step={shown} role="note">

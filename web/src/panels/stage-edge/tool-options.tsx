@@ -1,95 +1,10 @@
-import { LIMITS } from "../../document/limits";
-import { placementAt } from "../../document/queries";
-import { metersPer } from "../../document/units";
-import type { Spacing } from "../../tools/toolbox";
-import { NumberBox } from "../controls/number-box";
-import { Segmented } from "../controls/segmented";
-import { lengthQuantity, wholeQuantity } from "../inspector/quantities";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
-import { ShapeChoice } from "./shape-choice";
 
-const AGENT_COUNT = wholeQuantity(1, LIMITS.agents);
+const MakingOptions = lazily(() => import("./making-options").then((part) => part.MakingOptions));
 
-/** A count of this many, or an interval of this many meters, when a person changes from one to the other. */
-const FIRST: { readonly [by in Spacing["by"]]: Spacing } = {
-  count: { by: "count", count: 24 },
-  interval: { by: "interval", meters: 1 },
-};
-
-/** What Draw and Shape make: which shape, and how many agents or how far apart. */
+/** What the tool in hand can be told, beside it. */
 export function ToolOptions() {
-  const { toolbox } = useStudio();
-  const tool = toolbox.active.value;
-  if (tool !== "draw" && tool !== "shape") return null;
-  return (
-    <fieldset class="floating tool-options" data-tool={tool} aria-label={tool === "draw" ? "Drawing" : "Shapes"}>
-      {tool === "shape" && <ShapeChoice />}
-      <AgentSpacing />
-    </fieldset>
-  );
-}
-
-function AgentSpacing() {
-  const { document, toolbox } = useStudio();
-  const scene = document.scene.value;
-  const spacing = toolbox.spacing.value;
-  const placement = placementAt(scene, document.activeKeyframe.value, document.selection.value);
-  if (placement.kind === "place") {
-    return (
-      <>
-        <NumberBox
-          label="Agents"
-          prefix="Agents"
-          value={placement.agents.length}
-          quantity={AGENT_COUNT}
-          isDisabled
-          describedBy="agents-reason"
-          onCommit={() => undefined}
-        />
-        <p class="tool-reason" id="agents-reason">
-          {placement.reason}
-        </p>
-      </>
-    );
-  }
-  const { units } = scene.stage;
-  const per = metersPer(units);
-  return (
-    <>
-      {spacing.by === "count" ? (
-        <NumberBox
-          label="Agents"
-          prefix="Agents"
-          value={spacing.count}
-          quantity={AGENT_COUNT}
-          isLive
-          onCommit={(count) => {
-            toolbox.spacing.value = { by: "count", count: Math.round(count) };
-          }}
-        />
-      ) : (
-        <NumberBox
-          label="Interval"
-          prefix="Every"
-          value={spacing.meters / per}
-          quantity={lengthQuantity(units, { min: 0.05, max: 100, step: 0.25 })}
-          isLive
-          onCommit={(length) => {
-            toolbox.spacing.value = { by: "interval", meters: length * per };
-          }}
-        />
-      )}
-      <Segmented<Spacing["by"]>
-        label="Spacing"
-        value={spacing.by}
-        choices={[
-          { value: "count", label: "Count" },
-          { value: "interval", label: "Interval" },
-        ]}
-        onChoose={(by) => {
-          if (by !== spacing.by) toolbox.spacing.value = FIRST[by];
-        }}
-      />
-    </>
-  );
+  const tool = useStudio().toolbox.active.value;
+  return tool === "draw" || tool === "shape" ? <MakingOptions tool={tool} /> : null;
 }

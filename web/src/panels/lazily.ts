@@ -1,0 +1,43 @@
+import { signal } from "@preact/signals";
+import { type ComponentType, type FunctionComponent, h } from "preact";
+import { useEffect } from "preact/hooks";
+import type { Messages } from "./messages";
+import { useStudio } from "./studio";
+
+/** A component that is fetched when it is first shown, and shows nothing until then. */
+export function lazily<Props extends object>(load: () => Promise<ComponentType<Props>>): FunctionComponent<Props> {
+  const part = createPart(load);
+  return function Lazy(props: Props) {
+    const { messages } = useStudio();
+    useEffect(() => part.fetch(messages), [messages]);
+    const Shown = part.loaded.value?.component;
+    return Shown ? h(Shown, props) : null;
+  };
+}
+
+/** One fetch for all who show it; a failed one is tried again the next time it is shown. */
+function createPart<Props extends object>(load: () => Promise<ComponentType<Props>>) {
+  const loaded = signal<{ readonly component: ComponentType<Props> } | null>(null);
+  let isFetching = false;
+  return {
+    loaded,
+    fetch(messages: Messages): void {
+      if (isFetching || loaded.peek()) return;
+      isFetching = true;
+      load()
+        .then((component) => {
+          loaded.value = { component };
+        })
+        .catch(() => {
+          messages.say({
+            tone: "problem",
+            title: "A part of the page did not load.",
+            text: "Check the connection and try it again; the scene is unchanged.",
+          });
+        })
+        .finally(() => {
+          isFetching = false;
+        });
+    },
+  };
+}
