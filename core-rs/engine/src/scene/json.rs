@@ -1,11 +1,12 @@
 //! The scene file, version 1: UTF-8 JSON.
 //!
-//! Reading goes down the document level by level over slices of the text, so that every list is counted before it is kept,
-//! every refusal knows its place, and hostile nesting costs no stack.
+//! Reading parses the text once without keeping anything, then goes down level by level over slices of it: no list is kept beyond
+//! its limit, every refusal knows its place, and hostile nesting costs no stack.
 
 mod fields;
 mod layout;
 mod read;
+mod split;
 mod value;
 mod write;
 

@@ -1,21 +1,23 @@
 //! The fields of one JSON object: known by name, absent ones at their default.
 
-use std::fmt::{self, Formatter};
+use std::borrow::Cow;
 
-use serde::de::{DeserializeOwned, Deserializer as _, IgnoredAny, MapAccess, Visitor};
-use serde_json::value::RawValue;
+use serde::de::DeserializeOwned;
 
+use super::split;
 use super::value::Value;
 use crate::error::{Counted, Error};
 use crate::scene::place::Place;
 use crate::scene::shown;
 
-/// An object whose every field is one of `known`.
+/// The fields of an object that are known, and whether there are others.
 pub(super) struct Fields<'a, 'p> {
     place: Place<'p>,
     known: &'static [&'static str],
     /// By index into `known`.
     values: Vec<Option<&'a str>>,
+    /// The name of the first field that is not known.
+    stranger: Option<String>,
 }
 
 /// The only value so far of a field that version 1 names.
@@ -30,33 +32,41 @@ pub(super) enum Only {
 impl<'a, 'p> Value<'a, 'p> {
     /// The fields of an object; one that is not `known` is refused.
     pub(super) fn object(&self, known: &'static [&'static str]) -> Result<Fields<'a, 'p>, Error> {
-        let (values, stranger) = self.scan(known)?;
-        match stranger {
-            Some(field) => Err(Error::UnknownField { field: shown(&field), admissible: known, place: self.place.to_string() }),
-            None => Ok(Fields { place: self.place, known, values }),
-        }
+        let fields = self.fields(known)?;
+        fields.refuse_strangers()?;
+        Ok(fields)
     }
 
-    /// The `wanted` fields of an object, whatever else it has.
-    pub(super) fn some_fields(&self, wanted: &'static [&'static str]) -> Result<Fields<'a, 'p>, Error> {
-        let (values, _) = self.scan(wanted)?;
-        Ok(Fields { place: self.place, known: wanted, values })
+    /// The fields of an object, not yet judged by [`Fields::refuse_strangers`].
+    pub(super) fn fields(&self, known: &'static [&'static str]) -> Result<Fields<'a, 'p>, Error> {
+        self.must_start(b"{", "an object")?;
+        let mut fields = Fields { place: self.place, known, values: vec![None; known.len()], stranger: None };
+        for (quoted, value) in split::fields(self.text) {
+            let name = Value { text: quoted, place: self.place }.name()?;
+            match known.iter().position(|known| *known == name) {
+                Some(index) if fields.values[index].is_none() => fields.values[index] = Some(value),
+                Some(_) => return Err(Error::RepeatedField { field: name.into_owned(), place: self.place.to_string() }),
+                None if fields.stranger.is_none() => fields.stranger = Some(shown(&name)),
+                None => {}
+            }
+        }
+        Ok(fields)
     }
 
-    /// Slices of the known fields, and the first name that is not known.
-    fn scan(&self, known: &'static [&'static str]) -> Result<(Vec<Option<&'a str>>, Option<String>), Error> {
-        self.must_start(|first| first == b'{', "an object")?;
-        let mut parser = serde_json::Deserializer::from_str(self.text);
-        let scan = parser.deserialize_map(Scan { known }).and_then(|scan| parser.end().map(|()| scan));
-        let Scanned { values, stranger, repeated } = scan.map_err(|error| self.malformed(&error))?;
-        match repeated {
-            Some(field) => Err(Error::RepeatedField { field: field.to_owned(), place: self.place.to_string() }),
-            None => Ok((values, stranger)),
-        }
+    /// Names are many, and hardly any is spelled with escapes.
+    fn name(&self) -> Result<Cow<'a, str>, Error> {
+        if self.text.contains('\\') { self.string().map(Cow::Owned) } else { Ok(Cow::Borrowed(&self.text[1..self.text.len() - 1])) }
     }
 }
 
 impl<'a> Fields<'a, '_> {
+    pub(super) fn refuse_strangers(&self) -> Result<(), Error> {
+        match &self.stranger {
+            Some(field) => Err(Error::UnknownField { field: field.clone(), admissible: self.known, place: self.place.to_string() }),
+            None => Ok(()),
+        }
+    }
+
     pub(super) fn get(&self, name: &'static str) -> Option<Value<'a, '_>> {
         let index = self.known.iter().position(|known| *known == name).expect("a field that is read is known");
         self.values[index].map(|text| Value { text, place: self.place.field(name) })
@@ -110,7 +120,7 @@ impl<'a> Fields<'a, '_> {
         let (is_supported, supported) = match *only {
             Only::False => (!value.flag()?, "false".to_owned()),
             Only::Null => (value.is_null(), "null".to_owned()),
-            Only::NoEntries => (value.count()? == 0, "[]".to_owned()),
+            Only::NoEntries => (value.is_empty_list()?, "[]".to_owned()),
             // A default is written with few digits, so the parsed number is the same double.
             Only::Number(number) => (value.number()?.to_bits() == number.to_bits(), number.to_string()),
             Only::Word(word, admissible) => {
@@ -122,39 +132,5 @@ impl<'a> Fields<'a, '_> {
             }
         };
         if is_supported { Ok(()) } else { Err(Error::Unsupported { value: shown(value.text), supported, place: value.place.to_string() }) }
-    }
-}
-
-struct Scan {
-    known: &'static [&'static str],
-}
-
-struct Scanned<'a> {
-    values: Vec<Option<&'a str>>,
-    stranger: Option<String>,
-    repeated: Option<&'static str>,
-}
-
-impl<'de> Visitor<'de> for Scan {
-    type Value = Scanned<'de>;
-
-    fn expecting(&self, f: &mut Formatter) -> fmt::Result {
-        f.write_str("an object")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-        let mut scanned = Scanned { values: vec![None; self.known.len()], stranger: None, repeated: None };
-        // The scan goes on after a stranger: the rest must be well-formed all the same.
-        while let Some(name) = map.next_key::<String>()? {
-            let Some(index) = self.known.iter().position(|known| *known == name) else {
-                map.next_value::<IgnoredAny>()?;
-                scanned.stranger.get_or_insert(name);
-                continue;
-            };
-            if scanned.values[index].replace(map.next_value::<&RawValue>()?.get()).is_some() {
-                scanned.repeated = Some(self.known[index]);
-            }
-        }
-        Ok(scanned)
     }
 }

@@ -72,9 +72,11 @@ pub fn read_json(text: &str) -> Result<Scene, Error> {
     if text.trim_ascii().is_empty() {
         return Err(Error::Empty);
     }
-    let document = Value { text, place: Place::Top };
-    head(&document.some_fields(&["format", "version"])?)?;
-    let scene = scene(&document.object(SCENE)?)?;
+    let document = Value::document(text)?;
+    let fields = document.fields(SCENE)?;
+    head(&fields)?;
+    fields.refuse_strangers()?;
+    let scene = scene(&fields)?;
     validate(&scene)?;
     Ok(scene)
 }

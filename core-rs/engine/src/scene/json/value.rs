@@ -3,14 +3,15 @@
 use std::fmt::{self, Display, Formatter};
 
 use serde::de::value::StrDeserializer;
-use serde::de::{self, Deserializer as _, IgnoredAny, SeqAccess, Visitor};
-use serde_json::value::RawValue;
+use serde::de::{self, IgnoredAny};
 
+use super::split::entries;
 use crate::error::{Counted, Error};
 use crate::scene::place::Place;
 use crate::scene::shown;
+use crate::scene::validate::at_most;
 
-/// A slice of well-formed JSON, or the whole text before it is scanned.
+/// A slice of well-formed JSON.
 #[derive(Clone, Copy)]
 pub(super) struct Value<'a, 'p> {
     pub(super) text: &'a str,
@@ -18,13 +19,20 @@ pub(super) struct Value<'a, 'p> {
 }
 
 impl<'a> Value<'a, '_> {
+    /// A whole text, once it is known to be well-formed.
+    pub(super) fn document(text: &'a str) -> Result<Self, Error> {
+        let place = |error: &serde_json::Error| format!("line {} column {}", error.line(), error.column());
+        serde_json::from_str::<IgnoredAny>(text).map_err(|error| Self::malformed(&error, place(&error)))?;
+        Ok(Self { text: text.trim_ascii(), place: Place::Top })
+    }
+
     pub(super) fn is_null(&self) -> bool {
         self.text == "null"
     }
 
     /// Finite; the nearest double.
     pub(super) fn number(&self) -> Result<f64, Error> {
-        self.must_start(|first| first == b'-' || first.is_ascii_digit(), "a number")?;
+        self.must_start(b"-0123456789", "a number")?;
         serde_json::from_str(self.text).map_err(|_| Error::NotFinite { place: self.place.to_string() })
     }
 
@@ -49,8 +57,8 @@ impl<'a> Value<'a, '_> {
     }
 
     pub(super) fn string(&self) -> Result<String, Error> {
-        self.must_start(|first| first == b'"', "a text")?;
-        serde_json::from_str(self.text).map_err(|error| self.malformed(&error))
+        self.must_start(b"\"", "a text")?;
+        serde_json::from_str(self.text).map_err(|error| Self::malformed(&error, self.place.to_string()))
     }
 
     /// One of the words of `T`; a word of `later` is known to version 1 but not supported.
@@ -66,28 +74,28 @@ impl<'a> Value<'a, '_> {
         })
     }
 
-    /// The slices of a list; counted to its end, kept only up to `limit`.
+    /// The slices of a list of at most `limit`.
     pub(super) fn items(&self, limit: usize, what: Counted) -> Result<Vec<&'a str>, Error> {
-        let (items, count) = self.first_items(limit, "a list")?;
-        if count <= limit { Ok(items) } else { Err(Error::TooMany { what, count, limit, place: self.place.to_string() }) }
+        self.must_start(b"[", "a list")?;
+        let items: Vec<&str> = entries(self.text).take(limit + 1).collect();
+        at_most(items.len(), limit, what, self.place)?;
+        Ok(items)
     }
 
     /// Exactly `N` slices of a list, as `shape` says.
     pub(super) fn exactly<const N: usize>(&self, shape: &'static str) -> Result<[&'a str; N], Error> {
-        let (items, count) = self.first_items(N, shape)?;
-        match items.try_into() {
-            Ok(items) if count == N => Ok(items),
-            _ => Err(Error::WrongType { found: format!("a list of {count}"), expected: shape, place: self.place.to_string() }),
-        }
+        self.must_start(b"[", shape)?;
+        let items: Vec<&str> = entries(self.text).take(N + 1).collect();
+        items.try_into().map_err(|_| Error::WrongType { found: shown(self.text), expected: shape, place: self.place.to_string() })
     }
 
-    /// How many entries the list has.
-    pub(super) fn count(&self) -> Result<usize, Error> {
-        self.first_items(0, "a list").map(|(_, count)| count)
+    pub(super) fn is_empty_list(&self) -> Result<bool, Error> {
+        self.must_start(b"[", "a list")?;
+        Ok(entries(self.text).next().is_none())
     }
 
     pub(super) fn wrong_type(&self, expected: &'static str) -> Error {
-        let found = match self.first() {
+        let found = match self.text.as_bytes()[0] {
             b'{' => "an object".to_owned(),
             b'[' => "a list".to_owned(),
             _ => shown(self.text),
@@ -95,60 +103,19 @@ impl<'a> Value<'a, '_> {
         Error::WrongType { found, expected, place: self.place.to_string() }
     }
 
-    pub(super) fn must_start(&self, is_right: impl Fn(u8) -> bool, expected: &'static str) -> Result<(), Error> {
-        if is_right(self.first()) { Ok(()) } else { Err(self.wrong_type(expected)) }
+    /// A value is of the type that its first byte says.
+    pub(super) fn must_start(&self, firsts: &[u8], expected: &'static str) -> Result<(), Error> {
+        if firsts.contains(&self.text.as_bytes()[0]) { Ok(()) } else { Err(self.wrong_type(expected)) }
     }
 
-    pub(super) fn malformed(&self, error: &serde_json::Error) -> Error {
+    fn malformed(error: &serde_json::Error, place: String) -> Error {
         let whole = error.to_string();
         let message = match whole.rsplit_once(" at line ") {
             _ if error.is_eof() => "the text ends too early",
             Some((message, _)) => message,
             None => &whole,
         };
-        let place = match self.place {
-            Place::Top => format!("line {} column {}", error.line(), error.column()),
-            place => place.to_string(),
-        };
         Error::InvalidJson { message: message.to_owned(), place }
-    }
-
-    fn first_items(&self, limit: usize, expected: &'static str) -> Result<(Vec<&'a str>, usize), Error> {
-        self.must_start(|first| first == b'[', expected)?;
-        let mut parser = serde_json::Deserializer::from_str(self.text);
-        parser.deserialize_seq(Items { limit }).map_err(|error| self.malformed(&error))
-    }
-
-    fn first(&self) -> u8 {
-        self.text.trim_ascii_start().bytes().next().unwrap_or(b' ')
-    }
-}
-
-/// Keeps the first entries of a list and counts them all.
-struct Items {
-    limit: usize,
-}
-
-impl<'de> Visitor<'de> for Items {
-    type Value = (Vec<&'de str>, usize);
-
-    fn expecting(&self, f: &mut Formatter) -> fmt::Result {
-        f.write_str("a list")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<Self::Value, A::Error> {
-        let mut items = Vec::new();
-        while items.len() < self.limit {
-            match list.next_element::<&RawValue>()? {
-                Some(item) => items.push(item.get()),
-                None => break,
-            }
-        }
-        let mut count = items.len();
-        while list.next_element::<IgnoredAny>()?.is_some() {
-            count += 1;
-        }
-        Ok((items, count))
     }
 }
 

@@ -1,0 +1,222 @@
+//! What is wrong in a scene file is said with a stable code, and where.
+
+use eigenform::scene::{open, open_bytes, read_json};
+
+fn check(text: &str, code: &str, place: &str) {
+    let error = read_json(text).expect_err(text);
+    assert_eq!((error.code(), error.place().as_str()), (code, place), "{text}: {error}");
+}
+
+/// A scene of three agents with these fields beside the required ones.
+fn with(fields: &str) -> String {
+    format!(r#"{{ "format": "eigenform", "version": 1, {fields} "keyframes": [{{ "positions": [[0, 0], [1, 0], [0, 1]] }}] }}"#)
+}
+
+/// A scene of three agents and two keyframes, the second of which has these fields.
+fn with_second(fields: &str) -> String {
+    let positions = r#""positions": [[0, 0], [1, 0], [0, 1]]"#;
+    format!(r#"{{ "format": "eigenform", "version": 1, "keyframes": [{{ {positions}, "hold": 1 }}, {{ {fields} {positions} }}] }}"#)
+}
+
+/// A scene of three agents with this segment.
+fn with_segment(fields: &str) -> String {
+    with_second(r#""time": 2,"#).replace(r#""keyframes""#, &format!(r#""segments": [{{ {fields} }}], "keyframes""#))
+}
+
+/// A scene of three agents, a field `name` of which is `value`.
+fn with_field(name: &str, value: &str) -> String {
+    with(&format!(r#""{name}": {value},"#))
+}
+
+#[test]
+fn the_scene_that_the_cases_change_is_right() {
+    for text in [with(""), with_second(r#""time": 2,"#), with_segment("")] {
+        assert!(read_json(&text).is_ok(), "{text}");
+    }
+}
+
+#[test]
+fn a_text_that_is_no_scene_says_what_it_is() {
+    check("", "empty", "");
+    check(" \n\t", "empty", "");
+    check("{", "invalid-json", "line 1 column 1");
+    check("{\n  \"format\": \"eigenform\",\n  \"version\": 1,}", "invalid-json", "line 3 column 16");
+    check(&with("").replace(']', ""), "invalid-json", "line 1 column 91");
+    check(&(with("") + "x"), "invalid-json", "line 1 column 99");
+    check("[1]", "wrong-type", "");
+    check("{}", "missing-field", "");
+    check(r#"{ "name": "a-package", "version": "1.0.0" }"#, "missing-field", "");
+    check(r#"{ "format": "excalidraw", "version": 2 }"#, "not-a-scene", "format");
+    check(r#"{ "format": "eigenform" }"#, "missing-field", "");
+    check(r#"{ "format": "eigenform", "version": "1" }"#, "wrong-type", "version");
+    check(r#"{ "format": "eigenform", "version": 0 }"#, "wrong-type", "version");
+    check(r#"{ "format": "eigenform", "version": 1.5, "keyframes": [] }"#, "newer-version", "version");
+    check(r#"{ "format": "eigenform", "version": 2, "anything": [] }"#, "newer-version", "version");
+    check(r#"{ "format": "eigenform", "version": 1 }"#, "missing-field", "");
+    check(r#"{ "format": "eigenform", "version": 1, "keyframes": [] }"#, "no-keyframes", "keyframes");
+    check(r#"{ "format": "eigenform", "version": 1, "keyframes": [{}] }"#, "missing-field", "keyframes[0]");
+    assert_eq!(open_bytes(b"{ \"title\": \"\xff\" }").unwrap_err().code(), "not-text");
+    assert_eq!(open("one,two\n1,2\n").unwrap_err().code(), "unknown-column");
+}
+
+#[test]
+fn a_newer_version_says_so() {
+    let error = read_json(r#"{ "format": "eigenform", "version": 7 }"#).unwrap_err();
+    assert_eq!(error.to_string(), "this was made by a newer version of Eigenform (format version 7); this one reads version 1");
+}
+
+#[test]
+fn unknown_fields_are_named_with_the_fields_there_are() {
+    check(&with(r#""colour": 1,"#), "unknown-field", "");
+    check(&with(r#""stage": { "height": 0, "heigth": 3 },"#), "unknown-field", "stage");
+    check(&with(r#""tempo": { "bpm": 3 },"#), "unknown-field", "tempo");
+    check(&with(r#""agents": [{}, { "nick": "" }, {}],"#), "unknown-field", "agents[1]");
+    check(&with(r#""groups": [{ "children": [{ "kids": [] }] }],"#), "unknown-field", "groups[0].children[0]");
+    check(&with(r#""adjacency": { "tie": [] },"#), "unknown-field", "adjacency");
+    check(&with_second(r#""time": 2, "adjacency": { "x": 1 },"#), "unknown-field", "keyframes[1].adjacency");
+    check(&with_second(r#""at": 2,"#), "unknown-field", "keyframes[1]");
+    check(&with_segment(r#""ease": 2"#), "unknown-field", "segments[0]");
+    check(&with_segment(r#""chosen": { "method": "linear", "x": 2 }"#), "unknown-field", "segments[0].chosen");
+    check(&with(r#""title": "a", "title": "a","#), "repeated-field", "");
+    check(&with(r#""title": "a", "\u0074itle": "a","#), "repeated-field", "");
+    let error = read_json(&with(r#""tempo": { "bpm": 3 },"#)).unwrap_err();
+    assert_eq!(error.to_string(), r#""bpm" is no field here; the fields are "beatsPerMinute", "beatsPerBar", "start""#);
+}
+
+#[test]
+fn values_of_another_type_or_word_are_refused() {
+    check(&with_field("title", "null"), "wrong-type", "title");
+    check(&with_field("title", "3"), "wrong-type", "title");
+    check(&with_field("title", r#""\ud800""#), "invalid-json", "title");
+    check(&with_field("seed", "1.5"), "wrong-type", "seed");
+    check(&with_field("seed", "-1"), "out-of-range", "seed");
+    check(&with_field("seed", "4294967296"), "out-of-range", "seed");
+    check(&with_field("frameRate", "\"30\""), "wrong-type", "frameRate");
+    check(&with_field("frameRate", "NaN"), "invalid-json", "line 1 column 53");
+    check(&with_field("frameRate", "1e999"), "not-finite", "frameRate");
+    check(&with_field("stage", "[]"), "wrong-type", "stage");
+    check(&with_field("stage", r#"{ "units": "km" }"#), "unknown-value", "stage.units");
+    check(&with_field("stage", r#"{ "backdrop": "Grid" }"#), "unknown-value", "stage.backdrop");
+    check(&with_field("tempo", r#"{ "beatsPerBar": 2.5 }"#), "wrong-type", "tempo.beatsPerBar");
+    check(&with_field("groups", "{}"), "wrong-type", "groups");
+    check(&with_field("groups", r#"[{ "members": [0, 0.5] }]"#), "wrong-type", "groups[0].members[1]");
+    check(&with_field("groups", r#"[{ "tieWeight": "2" }]"#), "wrong-type", "groups[0].tieWeight");
+    check(&with_field("adjacency", r#"{ "base": "knn" }"#), "unknown-value", "adjacency.base");
+    check(&with_field("adjacency", r#"{ "weights": 1 }"#), "wrong-type", "adjacency.weights");
+    check(&with_field("adjacency", r#"{ "ties": [[0, 1]] }"#), "wrong-type", "adjacency.ties[0]");
+    check(&with_field("adjacency", r#"{ "ties": [[0, 1, 1], [0, "2", 1]] }"#), "wrong-type", "adjacency.ties[1]");
+    check(&with_field("adjacency", r#"{ "ties": [[0, 1, 1e999]] }"#), "not-finite", "adjacency.ties[0]");
+    check(&with_field("adjacency", r#"{ "cuts": [[0, 1, 2]] }"#), "wrong-type", "adjacency.cuts[0]");
+    check(&with_field("join", "\"bumpy\""), "unknown-value", "join");
+    check(&with_field("tension", "\"0.5\""), "wrong-type", "tension");
+    check(&with_second(r#""time": "2","#), "wrong-type", "keyframes[1].time");
+    check(&with_second(r#""corner": 0,"#), "wrong-type", "keyframes[1].corner");
+    check(&with("").replace("[1, 0]", "[1]"), "wrong-type", "keyframes[0].positions[1]");
+    check(&with("").replace("[1, 0]", "[1, 0, 0, 0]"), "wrong-type", "keyframes[0].positions[1]");
+    check(&with("").replace("[1, 0]", "[1, null]"), "wrong-type", "keyframes[0].positions[1]");
+    check(&with("").replace("[1, 0]", "[1, 1e400]"), "not-finite", "keyframes[0].positions[1]");
+    check(&with_segment(r#""kind": "jump""#), "unknown-value", "segments[0].kind");
+    check(&with_segment(r#""method": "fastest""#), "unknown-value", "segments[0].method");
+    check(&with_segment(r#""timing": "slow""#), "unknown-value", "segments[0].timing");
+    check(&with_segment(r#""order": "greedy ""#), "unknown-value", "segments[0].order");
+    check(&with_segment(r#""alignment": 0"#), "wrong-type", "segments[0].alignment");
+    check(&with_segment(r#""keepSize": 1"#), "wrong-type", "segments[0].keepSize");
+    check(&with_segment(r#""chosen": {}"#), "missing-field", "segments[0].chosen");
+    check(&with_segment(r#""chosen": { "method": "auto" }"#), "unknown-value", "segments[0].chosen.method");
+    let error = read_json(&with_field("stage", r#"{ "units": "km" }"#)).unwrap_err();
+    assert_eq!(error.to_string(), r#""km" is not known here; it must be one of "m", "ft", "yd", "steps""#);
+}
+
+#[test]
+fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
+    let cases = [
+        (with_field("join", "\"@\""), "join", "separate", "smooth"),
+        (with_field("join", "\"@\""), "join", "separate", "product"),
+        (with_field("tension", "@"), "tension", "0.50", "0.25"),
+        (with_field("obstacles", "[@]"), "obstacles", "", r#"{ "kind": "circle", "center": [0, 0], "radius": 1 }"#),
+        (with_field("recordings", "[@]"), "recordings", " ", "{}"),
+        (with_field("agents", r#"[{}, { "maxSpeed": @ }, {}]"#), "agents[1].maxSpeed", "null", "2.5"),
+        (with_field("adjacency", r#"{ "obstacleTies": [@] }"#), "adjacency.obstacleTies", "", "[0, 0, 1]"),
+        (with_second(r#""time": 2, "corner": @,"#), "keyframes[1].corner", "false", "true"),
+        (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),
+        (with_segment(r#""method": "@""#), "segments[0].method", "auto", "crowd"),
+        (with_segment(r#""timing": "@""#), "segments[0].timing", "smooth", "even"),
+        (with_segment(r#""avoidance": @"#), "segments[0].avoidance", "false", "true"),
+        (with_segment(r#""hierarchy": @"#), "segments[0].hierarchy", "false", "true"),
+        (with_segment(r#""nodes": [@]"#), "segments[0].nodes", "", r#"{ "group": [0], "method": "linear" }"#),
+        (with_segment(r#""path": @"#), "segments[0].path", "null", "[[0, 0]]"),
+        (with_segment(r#""assignment": @"#), "segments[0].assignment", "null", r#"{ "cost": "squared" }"#),
+        (with_segment(r#""crowd": @"#), "segments[0].crowd", "null", "{}"),
+        (with_segment(r#""chosen": { "method": "@" }"#), "segments[0].chosen.method", "polar", "crowd"),
+        (with("").replace("[1, 0]", "[1, 0@]"), "keyframes[0].positions[1]", "", ", 0"),
+    ];
+    for (text, place, default, other) in cases {
+        let right = text.replace('@', default);
+        assert_eq!(read_json(&right).map(|_| ()), Ok(()), "{right}");
+        check(&text.replace('@', other), "unsupported", place);
+    }
+    let error = read_json(&with_field("join", "\"smooth\"")).unwrap_err();
+    assert_eq!(error.to_string(), r#""smooth" is not supported yet; give "separate" or leave the field out"#);
+}
+
+#[test]
+fn parts_that_do_not_fit_together_are_refused() {
+    check(&with_field("agents", "[{}, {}]"), "wrong-count", "keyframes[0].positions");
+    check(&with_second(r#""time": 2,"#).replacen(", [0, 1]", "", 1), "wrong-count", "keyframes[1].positions");
+    check(&with_segment("}, {"), "wrong-count", "segments");
+    check(&with_second(""), "times-do-not-rise", "keyframes[1].time");
+    check(&with_second(r#""time": 1,"#), "times-do-not-rise", "keyframes[1].time");
+    check(&with_field("groups", r#"[{ "members": [3] }]"#), "unknown-agent", "groups[0].members[0]");
+    check(&with_field("groups", r#"[{ "members": [1, 1] }]"#), "repeated-member", "groups[0].members[1]");
+    check(&with_field("groups", r#"[{ "members": [1] }, { "members": [0, 1] }]"#), "shared-member", "groups[1].members[1]");
+    let cousins = r#"[{ "children": [{ "members": [2] }] }, { "children": [{ "members": [2] }] }]"#;
+    check(&with_field("groups", cousins), "shared-member", "groups[1].children[0].members[0]");
+    check(&with_field("adjacency", r#"{ "ties": [[0, 3, 1]] }"#), "unknown-agent", "adjacency.ties[0]");
+    check(&with_field("adjacency", r#"{ "ties": [[2, 2, 1]] }"#), "self-tie", "adjacency.ties[0]");
+    check(&with_field("adjacency", r#"{ "ties": [[0, 1, 1], [1, 2, 1], [1, 0, 2]] }"#), "repeated-pair", "adjacency.ties[2]");
+    check(&with_field("adjacency", r#"{ "cuts": [[0, 1], [0, 1]] }"#), "repeated-pair", "adjacency.cuts[1]");
+    check(&with_second(r#""time": 2, "adjacency": { "cuts": [[5, 1]] },"#), "unknown-agent", "keyframes[1].adjacency.cuts[0]");
+    check(&with_field("agents", r#"[{ "color": "red" }, {}, {}]"#), "invalid-color", "agents[0].color");
+    check(&with_field("groups", r##"[{ "color": "#12345g" }]"##), "invalid-color", "groups[0].color");
+}
+
+#[test]
+fn ties_name_the_lower_agent_first_and_keep_their_order() {
+    let scene = read_json(&with_field("adjacency", r#"{ "ties": [[2, 1, 3], [1.0, 0, 2]], "cuts": [[2, 0]] }"#)).unwrap();
+    assert_eq!((&*scene.adjacency.ties, &*scene.adjacency.cuts), (&[(1, 2, 3.0), (0, 1, 2.0)][..], &[(0, 2)][..]));
+}
+
+#[test]
+fn a_group_may_repeat_what_its_children_have() {
+    let scene = read_json(&with_field("groups", r#"[{ "members": [0, 1, 2], "children": [{ "members": [1] }] }]"#)).unwrap();
+    assert_eq!((&*scene.groups[0].members, scene.groups[0].set()), (&[0, 2][..], vec![0, 1, 2]));
+}
+
+#[test]
+fn a_message_is_one_short_line_whatever_was_typed() {
+    let word = "w\\n".repeat(10_000);
+    for text in [
+        with_field("join", &format!("\"{word}\"")),
+        with_field(&word, "0"),
+        with_field("agents", &format!("[{{ \"color\": \"{word}\" }}]")),
+    ] {
+        let error = read_json(&text).unwrap_err();
+        let message = format!("{error} ({})", error.place());
+        assert!(message.chars().count() < 400 && !message.contains('\n'), "{message}");
+    }
+}
+
+#[test]
+fn nesting_costs_no_stack() {
+    let deep = |open: &str, close: &str| open.repeat(1_000_000) + &close.repeat(1_000_000);
+    check(&with_field("path", &deep("[", "]")), "unknown-field", "");
+    check(&with_field("groups", &deep("[", "]")), "wrong-type", "groups[0]");
+    check(
+        &with_field("groups", &deep(r#"[{"children":"#, "}]").replace(":}", ":[]}")),
+        "groups-too-deep",
+        &format!("groups[0]{}", ".children[0]".repeat(8)),
+    );
+    check(&"[".repeat(5_000_000), "invalid-json", "line 1 column 5000000");
+    check(&(deep("[", "]")), "wrong-type", "");
+    check(&r#"{"a":"#.repeat(1_000_000), "invalid-json", "line 1 column 5000000");
+}
