@@ -6,11 +6,17 @@ import { countWithin, type Spacing } from "./spacing";
 
 /** Squares of the raster for each place: enough that a cell's middle is known to a tenth of the spacing. */
 const SQUARES_A_PLACE = 24;
-/** Bounds the work of one fill, which is done while the pointer moves; 5,000 places still have five squares each. */
-const MOST_SQUARES = 24_000;
-const MOST_ROUNDS = 16;
 /** Rounds times places: unevenness falls fastest in the first rounds, and in a crowd the eye sees less of it. */
 const ROUNDS_A_PLACE = 8000;
+
+/** How much work a fill may be: while the pointer still moves, a crowd is shown roughly where it will stand. */
+export type Effort = "preview" | "full";
+
+/** Bounds on squares and rounds; 5,000 places still have five squares each in the end. */
+const MOST: Readonly<Record<Effort, { readonly squares: number; readonly rounds: number }>> = {
+  preview: { squares: 7000, rounds: 6 },
+  full: { squares: 24_000, rounds: 16 },
+};
 
 /**
  * Places evenly spread over the inside of a closed path, exactly as many as asked; the same for the same path.
@@ -18,14 +24,15 @@ const ROUNDS_A_PLACE = 8000;
  * The region is cut into equal parts in rows, a place in each; every place then moves to the middle of what is nearest
  * to it, again and again (Lloyd's relaxation). A path without an inside is lined instead.
  */
-export function placesInside(polygon: readonly Point[], spacing: Spacing): Point[] {
+export function placesInside(polygon: readonly Point[], spacing: Spacing, effort: Effort = "full"): Point[] {
   const coarse = rasterOf(polygon, 2000);
   if (!coarse) return placesAround(polygon, spacing);
   const count = countWithin(coarse.middles.length * coarse.side ** 2, spacing);
-  const raster = rasterOf(polygon, Math.max(400, Math.min(MOST_SQUARES, count * SQUARES_A_PLACE))) ?? coarse;
+  const { squares, rounds: most } = MOST[effort];
+  const raster = rasterOf(polygon, Math.max(400, Math.min(squares, count * SQUARES_A_PLACE))) ?? coarse;
   if (raster.middles.length < count) return placesAround(polygon, { by: "count", count });
   const places = seeds(raster, count);
-  const rounds = Math.max(4, Math.min(MOST_ROUNDS, Math.round(ROUNDS_A_PLACE / count)));
+  const rounds = Math.max(4, Math.min(most, Math.round(ROUNDS_A_PLACE / count)));
   for (let round = 0; round < rounds; round += 1) moveToMiddles(raster, places);
   return ontoRegion(raster, places);
 }

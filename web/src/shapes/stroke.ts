@@ -1,5 +1,5 @@
 import type { Point } from "../document/formation";
-import { placesInside } from "./fill";
+import { type Effort, placesInside } from "./fill";
 import { distance, pathLength, placesAlong, placesAround } from "./path";
 import type { Spacing } from "./spacing";
 
@@ -14,9 +14,14 @@ export function isClosedStroke(stroke: readonly Point[], reach: number): boolean
   return distance(first, last) <= reach && furthest > 2 * reach;
 }
 
-export function strokePlaces(stroke: readonly Point[], kind: StrokeKind, spacing: Spacing): Point[] {
+export function strokePlaces(
+  stroke: readonly Point[],
+  kind: StrokeKind,
+  spacing: Spacing,
+  effort: Effort = "full",
+): Point[] {
   if (kind === "open") return placesAlong(stroke, spacing);
-  return kind === "filled" ? placesInside(stroke, spacing) : placesAround(stroke, spacing);
+  return kind === "filled" ? placesInside(stroke, spacing, effort) : placesAround(stroke, spacing);
 }
 
 /** A stroke with a further point; a trembling hand adds none until it has gone `step` meters. */

@@ -1,4 +1,5 @@
 import type { Point } from "../document/formation";
+import type { Effort } from "../shapes/fill";
 import { extended, isClosedStroke, isMeant, type StrokeKind, smoothed, strokePlaces } from "../shapes/stroke";
 import { placementOf, settlePlaces, spacingFor } from "./place";
 import { type Editor, metersOf, NO_OVERLAY, type Pointing, type Tool } from "./tool";
@@ -26,11 +27,11 @@ export const drawTool: Tool<DrawState> = {
   start: IDLE,
   step(state, event, editor) {
     if (event.kind === "cancel") return IDLE;
-    if (event.kind === "press") return drawn([event.at], event, editor);
+    if (event.kind === "press") return drawn([event.at], event, editor, "preview");
     if (state.kind === "idle") return state;
     const stroke = extended(state.stroke, event.at, metersOf(GRAIN, editor));
-    if (event.kind === "move") return stroke === state.stroke ? state : drawn(stroke, event, editor);
-    finish(drawn(stroke, event, editor), event, editor);
+    if (event.kind === "move") return stroke === state.stroke ? state : drawn(stroke, event, editor, "preview");
+    finish(drawn(stroke, event, editor, "full"), event, editor);
     return IDLE;
   },
   overlay(state) {
@@ -42,10 +43,11 @@ export const drawTool: Tool<DrawState> = {
 
 type Drawing = Extract<DrawState, { kind: "drawing" }>;
 
-function drawn(stroke: readonly Point[], { alt }: Pointing, editor: Editor): Drawing {
+function drawn(stroke: readonly Point[], { alt }: Pointing, editor: Editor, effort: Effort): Drawing {
   const isClosed = isClosedStroke(stroke, metersOf(CLOSING, editor));
   const becomes = isClosed ? (alt ? "outline" : "filled") : "open";
-  return { kind: "drawing", stroke, becomes, places: strokePlaces(smoothed(stroke), becomes, spacingFor(editor)) };
+  const places = strokePlaces(smoothed(stroke), becomes, spacingFor(editor), effort);
+  return { kind: "drawing", stroke, becomes, places };
 }
 
 function finish({ stroke, places }: Drawing, { at }: Pointing, editor: Editor): void {
