@@ -11,7 +11,8 @@ export function keepScene(document: DocumentStore, autosave: Autosave, engine: E
     const scene = document.scene.value;
     if (scene === last || document.isDragging.value) return;
     last = scene;
-    autosave.changed(() => engine.writeScene(document.scene.peek()));
+    // This scene and not the one at the time of writing: that may be a drag that is given up.
+    autosave.changed(() => engine.writeScene(scene));
   });
   // A page that is hidden may never come back.
   addEventListener("pagehide", () => void autosave.flush());

@@ -83,5 +83,7 @@ function addPlaces(editor: Editor, slots: readonly Point[], label: string): void
     return;
   }
   editor.document.perform(addAgents(slots, label));
-  editor.announce(slots.length === 1 ? "1 agent added" : `${slots.length} agents added`);
+  const isShow = mainTrack(scene).keyframes.length > 1;
+  const count = slots.length === 1 ? "1 agent" : `${formatCount(slots.length)} agents`;
+  editor.announce(`${count} added${isShow ? " to every keyframe" : ""}`);
 }
