@@ -1,4 +1,5 @@
 import type { Stage } from "../../document/scene";
+import { type Bounds, toStage } from "../camera";
 import type { Frame } from "../frame";
 import { sheetOf } from "../sheet";
 import { crisp } from "./crisp";
@@ -9,10 +10,14 @@ import { drawTheater } from "./theater";
 
 const CORNER = 3;
 
+/** On a stage this narrow a plain sheet runs on beyond its edge: there is no room for what lies around it. */
+const NARROW = 640;
+
 /** Everything the agents stand on, edge to edge of the canvas. */
 export function drawBackdrop(context: CanvasRenderingContext2D, frame: Frame, stage: Stage): void {
   const { palette, size } = frame;
-  const sheet = sheetOf(stage);
+  const bleeds = size.width <= NARROW && (stage.backdrop === "grid" || stage.backdrop === "none");
+  const sheet = bleeds ? visibleBounds(frame) : sheetOf(stage);
   const left = frame.screenX(sheet.minX);
   const top = frame.screenY(sheet.maxY);
   const width = frame.screenX(sheet.maxX) - left;
@@ -47,11 +52,26 @@ export function drawBackdrop(context: CanvasRenderingContext2D, frame: Frame, st
   }
   context.restore();
 
-  if (stage.backdrop === "grid") drawAxisNumbers(context, frame, sheet, stage.units);
+  if (stage.backdrop === "grid" && !bleeds) drawAxisNumbers(context, frame, sheet, stage.units);
+  drawEdge(context, frame, sheetOf(stage), bleeds ? 0 : 1);
+}
+
+/** The edge, `inset` pixels inside at the right and in front: on the sheet's last pixel, or on the grid's line. */
+function drawEdge(context: CanvasRenderingContext2D, frame: Frame, sheet: Bounds, inset: number): void {
+  const left = crisp(frame.screenX(sheet.minX));
+  const top = crisp(frame.screenY(sheet.maxY));
   context.lineWidth = 1;
-  context.strokeStyle = palette.fieldLine;
+  context.strokeStyle = frame.palette.fieldLine;
   context.beginPath();
-  const [edgeX, edgeY] = [crisp(left), crisp(top)];
-  context.roundRect(edgeX, edgeY, crisp(left + width) - 1 - edgeX, crisp(top + height) - 1 - edgeY, CORNER);
+  const right = crisp(frame.screenX(sheet.maxX)) - inset;
+  const bottom = crisp(frame.screenY(sheet.minY)) - inset;
+  context.roundRect(left, top, right - left, bottom - top, CORNER);
   context.stroke();
+}
+
+/** A little more than what the canvas shows. */
+function visibleBounds({ camera, size }: Frame): Bounds {
+  const [left, top] = toStage(camera, { x: -8, y: -8 });
+  const [right, bottom] = toStage(camera, { x: size.width + 8, y: size.height + 8 });
+  return { minX: left, maxX: right, minY: bottom, maxY: top };
 }

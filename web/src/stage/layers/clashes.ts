@@ -10,6 +10,9 @@ import { font } from "./text";
 const PILLS = 3;
 const PILL_HEIGHT = 22;
 
+/** Pills laid down in this frame: left, top, right, bottom of each, CSS pixels. */
+const taken = new Float32Array(4 * PILLS);
+
 /** Rings about pairs that are too close, with the pair on top and the distance of the worst. */
 export function drawClashes(
   context: CanvasRenderingContext2D,
@@ -18,24 +21,22 @@ export function drawClashes(
   minimum: number,
   units: Units,
 ): void {
-  // The worst come first in the list and are drawn last, on top.
   for (let k = clashes.count - 1; k >= 0; k -= 1) {
     const clash = clashes.found[k];
-    if (clash) drawClash(context, frame, clash, minimum, k < PILLS ? units : null);
+    if (clash) drawRing(context, frame, clash, minimum);
+  }
+  let pills = 0;
+  for (let k = 0; k < clashes.count && pills < PILLS; k += 1) {
+    const clash = clashes.found[k];
+    if (clash && drawDistance(context, frame, clash, minimum, units, pills)) pills += 1;
   }
 }
 
-function drawClash(
-  context: CanvasRenderingContext2D,
-  frame: Frame,
-  { a, b, distance }: Clash,
-  minimum: number,
-  units: Units | null,
-): void {
+function drawRing(context: CanvasRenderingContext2D, frame: Frame, { a, b }: Clash, minimum: number): void {
   const { palette, points, radius } = frame;
   const x = ((points[2 * a] ?? 0) + (points[2 * b] ?? 0)) / 2;
   const y = ((points[2 * a + 1] ?? 0) + (points[2 * b + 1] ?? 0)) / 2;
-  const reach = Math.max(radius + 6, minimum * frame.camera.scale);
+  const reach = ringReach(frame, minimum);
   if (!frame.sees(x, y, reach)) return;
   context.beginPath();
   context.arc(x, y, reach, 0, 2 * Math.PI);
@@ -56,41 +57,90 @@ function drawClash(
     drawName(context, frame, a);
     drawName(context, frame, b);
   }
-  if (units) drawDistance(context, frame, x, y, reach, lengthWithUnit(distance, units));
 }
 
-/** The pill above the ring, below it where there is no room. */
+function ringReach(frame: Frame, minimum: number): number {
+  return Math.max(frame.radius + 6, minimum * frame.camera.scale);
+}
+
+/** Where a pill may stand about its ring: right above, left above, right below, left below. */
+const CORNERS = [
+  [1, -1],
+  [-1, -1],
+  [1, 1],
+  [-1, 1],
+] as const;
+
+/** The pill of a clash at the first corner with room, the `index`-th of this frame. Answers whether there was room. */
 function drawDistance(
   context: CanvasRenderingContext2D,
   frame: Frame,
-  x: number,
+  { a, b, distance }: Clash,
+  minimum: number,
+  units: Units,
+  index: number,
+): boolean {
+  const { points } = frame;
+  const x = ((points[2 * a] ?? 0) + (points[2 * b] ?? 0)) / 2;
+  const y = ((points[2 * a + 1] ?? 0) + (points[2 * b + 1] ?? 0)) / 2;
+  if (!frame.sees(x, y, 0)) return false;
+  const reach = ringReach(frame, minimum);
+  const text = lengthWithUnit(distance, units);
+  context.font = font(frame.palette, 11);
+  const width = context.measureText(text).width + 30;
+  for (const [right, down] of CORNERS) {
+    const pillX = x + right * 20;
+    const pillY = y + down * (reach + 26);
+    if (!hasRoom(frame, pillX, pillY, width, index)) continue;
+    const length = Math.hypot(pillX - x, pillY - y);
+    context.lineWidth = 2;
+    context.strokeStyle = frame.palette.clash;
+    context.beginPath();
+    context.moveTo(x + ((pillX - x) / length) * reach, y + ((pillY - y) / length) * reach);
+    context.lineTo(pillX, pillY);
+    context.stroke();
+    drawClashPill(context, frame, pillX - width / 2, pillY, width, text);
+    return true;
+  }
+  return false;
+}
+
+/** Whether a pill is on the stage and clear of the `count` before it; it takes the place. */
+function hasRoom({ size }: Frame, x: number, y: number, width: number, count: number): boolean {
+  const left = x - width / 2;
+  const top = y - PILL_HEIGHT / 2;
+  const right = left + width;
+  const bottom = top + PILL_HEIGHT;
+  if (left < 4 || top < 4 || right > size.width - 4 || bottom > size.height - 4) return false;
+  for (let k = 0; k < 4 * count; k += 4) {
+    const isBeside = right < (taken[k] ?? 0) || left > (taken[k + 2] ?? 0);
+    const isAbove = bottom < (taken[k + 1] ?? 0) || top > (taken[k + 3] ?? 0);
+    if (!isBeside && !isAbove) return false;
+  }
+  taken[4 * count] = left - 3;
+  taken[4 * count + 1] = top - 3;
+  taken[4 * count + 2] = right + 3;
+  taken[4 * count + 3] = bottom + 3;
+  return true;
+}
+
+function drawClashPill(
+  context: CanvasRenderingContext2D,
+  { palette }: Frame,
+  left: number,
   y: number,
-  reach: number,
+  width: number,
   text: string,
 ): void {
-  const { palette, size } = frame;
-  const side = y - reach - 40 < 0 ? 1 : -1;
-  context.font = font(palette, 11);
-  const width = context.measureText(text).width + 30;
-  const pillX = Math.min(Math.max(x + 20, width / 2 + 4), size.width - width / 2 - 4);
-  const pillY = y + side * (reach + 26);
-  const length = Math.hypot(pillX - x, pillY - y);
-  context.lineWidth = 2;
-  context.strokeStyle = palette.clash;
-  context.beginPath();
-  context.moveTo(x + ((pillX - x) / length) * reach, y + ((pillY - y) / length) * reach);
-  context.lineTo(pillX, pillY);
-  context.stroke();
-  const left = pillX - width / 2;
   context.fillStyle = palette.clash;
   context.beginPath();
-  context.roundRect(left, pillY - PILL_HEIGHT / 2, width, PILL_HEIGHT, 6);
+  context.roundRect(left, y - PILL_HEIGHT / 2, width, PILL_HEIGHT, 6);
   context.fill();
   context.fillStyle = palette.onClash;
   context.textAlign = "left";
   context.textBaseline = "middle";
-  context.fillText(text, left + 23, pillY + 0.5);
-  drawBrokenWedge(context, left + 7, pillY);
+  context.fillText(text, left + 23, y + 0.5);
+  drawBrokenWedge(context, left + 7, y);
 }
 
 /** The sign of a clash: a wedge cut by a bar. */
