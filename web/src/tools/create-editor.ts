@@ -2,7 +2,6 @@ import type { ReadonlySignal } from "@preact/signals";
 import { mainTrack } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { lengthWithUnit } from "../document/units";
-import type { Engine, TieList } from "../engine/api";
 import type { Playback } from "../playback/playback";
 import { handleAt, selectionBounds, selectionBox } from "../stage/handles";
 import { agentAt, agentReach, agentsWithin, handleReach, tieAt, tieReach } from "../stage/hit";
@@ -16,9 +15,10 @@ export interface ToolParts {
   readonly document: DocumentStore;
   readonly view: View;
   readonly playback: Playback;
-  readonly engine: Pick<Engine, "assign">;
-  /** Ties by keyframe, as drawn; null while unknown. */
-  readonly ties: ReadonlySignal<readonly (TieList | null)[]>;
+  /** Tools know no engine, only who answers this one question: see [`Editor.assign`]. */
+  readonly engine: Pick<Editor, "assign">;
+  /** Ties by keyframe, as drawn: a0, b0, a1, b1, …; null while unknown. */
+  readonly ties: ReadonlySignal<readonly ({ readonly pairs: Uint32Array } | null)[]>;
   /** Where the stage shows everybody: x, y an agent, meters. */
   shownXy(): ArrayLike<number>;
   announce(text: string): void;

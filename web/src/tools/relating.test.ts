@@ -67,7 +67,7 @@ describe("ties", () => {
 
   test("a click on a tie selects it, beside it nothing", () => {
     const bench = benchWith("tie");
-    bench.ties.value = [{ pairs: Uint32Array.of(0, 1, 1, 4), factors: Float64Array.of(1, 1) }];
+    bench.ties.value = [{ pairs: Uint32Array.of(0, 1, 1, 4) }];
     bench.click([2, 1.5]);
     expect(bench.document.selection.value).toEqual({ kind: "tie", a: 1, b: 4 });
     bench.click([1, 1.5]);

@@ -7,7 +7,6 @@ import { Formation, type Point } from "../document/formation";
 import { durationOf } from "../document/limits";
 import { mainTrack } from "../document/scene";
 import type { DocumentStore } from "../document/store";
-import type { TieList } from "../engine/api";
 import { createPlayback, type Playback } from "../playback/playback";
 import { toScreen } from "../stage/camera";
 import { createView } from "../stage/create-view";
@@ -26,7 +25,7 @@ export interface Bench {
   readonly toolbox: ToolboxAtWork;
   readonly view: View;
   readonly playback: Playback;
-  readonly ties: { value: readonly (TieList | null)[] };
+  readonly ties: { value: readonly ({ readonly pairs: Uint32Array } | null)[] };
   readonly announced: string[];
   readonly warned: string[];
   /** What the engine answers: by default everybody keeps their order. */
@@ -55,7 +54,7 @@ export function createBench(...formations: readonly (readonly Point[])[]): Bench
   const playback = createPlayback(computed(() => durationOf(document.scene.value)));
   const view = createView(document.scene);
   view.camera.value = { scale: SCALE, left: 500, top: 400 };
-  const ties = signal<readonly (TieList | null)[]>([]);
+  const ties = signal<readonly ({ readonly pairs: Uint32Array } | null)[]>([]);
   const announced: string[] = [];
   const warned: string[] = [];
 
