@@ -1,58 +1,16 @@
 import { Ellipsis } from "lucide";
 import { Icon } from "../theme/icons";
-import { WordAction } from "./action-button";
 import { PopoverButton } from "./controls/popover";
-import { LayerToggles } from "./stage-edge/layer-toggles";
-import { useStudio } from "./studio";
-import { useIsDark } from "./use-is-dark";
+import { lazily } from "./lazily";
 
-/** What the top bar has no room for on a narrow screen. */
+const MoreItems = lazily(() => import("./more-items").then((part) => part.MoreItems));
+
+/** The way to what a narrow top bar has no room for. */
 export function MoreMenu() {
-  const { document } = useStudio();
-  const isDark = useIsDark();
-  const redo = document.redoLabel.value;
   return (
     <span class="more">
-      <PopoverButton label="More" buttonClass="icon-button" side="below-end" face={<Icon node={Ellipsis} size={18} />}>
-        {(close) => (
-          <div class="menu more-menu">
-            <WordAction id="new" class="menu-item" onDone={close}>
-              New
-            </WordAction>
-            <WordAction id="examples" class="menu-item" onDone={close}>
-              Examples
-            </WordAction>
-            <WordAction id="open" class="menu-item" onDone={close}>
-              Open
-            </WordAction>
-            <WordAction id="save" class="menu-item" onDone={close}>
-              Save
-            </WordAction>
-            <WordAction id="export" class="menu-item" onDone={close}>
-              Export
-            </WordAction>
-            <div class="only-on-phone">
-              <hr class="menu-line" />
-              <WordAction id="redo" class="menu-item" onDone={close}>
-                Redo {redo && <span class="keys">{redo}</span>}
-              </WordAction>
-              <WordAction id="fit" class="menu-item" onDone={close}>
-                Fit
-              </WordAction>
-              <WordAction id="palette" class="menu-item" onDone={close}>
-                Commands
-              </WordAction>
-              <WordAction id="help" class="menu-item" onDone={close}>
-                Help
-              </WordAction>
-              <WordAction id="theme" class="menu-item" onDone={close}>
-                {isDark ? "Light theme" : "Dark theme"}
-              </WordAction>
-              <hr class="menu-line" />
-              <LayerToggles />
-            </div>
-          </div>
-        )}
+      <PopoverButton label="Menu" buttonClass="icon-button" side="below-end" face={<Icon node={Ellipsis} size={18} />}>
+        {(close) => <MoreItems close={close} />}
       </PopoverButton>
     </span>
   );

@@ -26,9 +26,9 @@ export function SheetButton({ isOpen }: { isOpen: Signal<boolean> }) {
       <button
         type="button"
         class="icon-button"
-        aria-label="Details"
+        aria-label="Show inspector"
         aria-expanded={isOpen.value}
-        data-tip="Details"
+        data-tip="Show inspector"
         data-tip-side="end"
         onClick={() => {
           isOpen.value = !isOpen.value;

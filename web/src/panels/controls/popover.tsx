@@ -1,5 +1,6 @@
+import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { useId, useRef } from "preact/hooks";
+import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { placeBeside, type Side } from "./place-beside";
 
 /** A button that opens something over the page; the browser closes it on Escape and on a press elsewhere. */
@@ -10,15 +11,31 @@ export function PopoverButton(props: {
   side: Side;
   tip?: string;
   tipSide?: string;
-  isDisabled?: boolean;
   /** The button's face. */
   face: ComponentChildren;
+  /** Made when it is opened. */
   children: (close: () => void) => ComponentChildren;
 }) {
+  const { side } = props;
   const id = useId();
   const button = useRef<HTMLButtonElement>(null);
   const panel = useRef<HTMLDivElement>(null);
-  const close = () => panel.current?.hidePopover();
+  const isOpen = useSignal(false);
+
+  // The content may arrive after the panel, so its place and its first control are looked for as it grows.
+  useLayoutEffect(() => {
+    const [anchor, opened] = [button.current, panel.current];
+    if (!isOpen.value || !anchor || !opened) return;
+    const settle = () => {
+      placeBeside(opened, anchor, side);
+      if (!opened.contains(opened.ownerDocument.activeElement)) firstControl(opened)?.focus();
+    };
+    const observer = new ResizeObserver(settle);
+    settle();
+    observer.observe(opened);
+    return () => observer.disconnect();
+  }, [isOpen.value, side]);
+
   return (
     <>
       <button
@@ -27,8 +44,8 @@ export function PopoverButton(props: {
         class={props.buttonClass}
         aria-label={props.label}
         aria-haspopup="dialog"
+        aria-expanded={isOpen.value}
         popovertarget={id}
-        disabled={props.isDisabled ?? false}
         data-tip={props.tip}
         data-tip-side={props.tipSide}
       >
@@ -42,15 +59,15 @@ export function PopoverButton(props: {
         role="dialog"
         aria-label={props.label}
         onToggle={(event) => {
-          const isOpen = event.newState === "open";
-          button.current?.setAttribute("aria-expanded", String(isOpen));
-          if (!isOpen || !button.current || !panel.current) return;
-          placeBeside(panel.current, button.current, props.side);
-          panel.current.querySelector<HTMLElement>("button, input, select")?.focus();
+          isOpen.value = event.newState === "open";
         }}
       >
-        {props.children(close)}
+        {isOpen.value && props.children(() => panel.current?.hidePopover())}
       </div>
     </>
   );
+}
+
+function firstControl(panel: HTMLElement): HTMLElement | null {
+  return panel.querySelector<HTMLElement>("button:not(:disabled), input:not(:disabled), select:not(:disabled)");
 }

@@ -1,5 +1,5 @@
 import "./inspector.css";
-import { type Signal, useSignal } from "@preact/signals";
+import { type Signal, useSignal, useSignalEffect } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
@@ -7,10 +7,10 @@ import { lazily } from "../lazily";
 import { moveFocus } from "../roving";
 import { SheetGrip } from "../sheet";
 import { useStudio } from "../studio";
-import { ScenePanel } from "./scene-panel";
 
 type Tab = "inspector" | "agents";
 
+const ScenePanel = lazily(() => import("./scene-panel").then((part) => part.ScenePanel));
 const SelectedPanel = lazily(() => import("./selected-panel").then((part) => part.SelectedPanel));
 const AgentsTable = lazily(() => import("../agents-table/agents-table").then((part) => part.AgentsTable));
 
@@ -18,6 +18,11 @@ const AgentsTable = lazily(() => import("../agents-table/agents-table").then((pa
 export function Inspector({ isSheetOpen }: { isSheetOpen: Signal<boolean> }) {
   const { document } = useStudio();
   const tab = useSignal<Tab>("inspector");
+  // A tie or a transition is looked at here alone; agents and groups may have been picked in the table.
+  useSignalEffect(() => {
+    const { kind } = document.selection.value;
+    if (kind === "transition" || kind === "tie") tab.value = "inspector";
+  });
   const count = mainTrack(document.scene.value).agents.length;
   return (
     <section

@@ -17,17 +17,21 @@ const HANDLE = 30;
 const EDGE = 12;
 /** The rail at the left and the pills at the top and bottom keep their place. */
 const INSET = { left: 64, top: 52, bottom: 56 } as const;
+/** On a phone the tools are at the foot of the stage. */
+const PHONE = 640;
+const INSET_ON_A_PHONE = { left: EDGE, top: EDGE, bottom: 72 } as const;
 
 /** Where the bar goes: below the box, above it when there is no room, and inside the stage when the box is not. */
 export function placeBar(box: Box, bar: Size, stage: Size): { readonly left: number; readonly top: number } {
+  const inset = stage.width <= PHONE ? INSET_ON_A_PHONE : INSET;
   const below = box.bottom + GAP;
   const above = box.top - HANDLE - bar.height;
-  const lowest = stage.height - INSET.bottom - bar.height;
-  const top = below <= lowest ? below : above >= INSET.top ? above : lowest;
+  const lowest = stage.height - inset.bottom - bar.height;
+  const top = below <= lowest ? below : above >= inset.top ? above : lowest;
   const middle = (box.left + box.right) / 2 - bar.width / 2;
   return {
-    left: Math.round(clamp(middle, INSET.left, stage.width - EDGE - bar.width)),
-    top: Math.round(clamp(top, INSET.top, lowest)),
+    left: Math.round(clamp(middle, inset.left, stage.width - EDGE - bar.width)),
+    top: Math.round(clamp(top, inset.top, lowest)),
   };
 }
 

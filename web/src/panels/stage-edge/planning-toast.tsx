@@ -1,28 +1,10 @@
-import { useComputed, useSignal, useSignalEffect } from "@preact/signals";
 import { keyframeLabel } from "../../document/queries";
 import { formatCount } from "../../document/units";
 import { useStudio } from "../studio";
 
-/** Shorter work is not worth a word; milliseconds. */
-const WORTH_SAYING = 300;
-
 /** What the engine is at, how far it is, and the way to stop it. */
 export function PlanningToast() {
   const { document, planner } = useStudio();
-  const isWorking = useComputed(() => planner.progress.value !== null);
-  const isShown = useSignal(false);
-  useSignalEffect(() => {
-    if (!isWorking.value) {
-      isShown.value = false;
-      return;
-    }
-    const timer = setTimeout(() => {
-      isShown.value = true;
-    }, WORTH_SAYING);
-    return () => clearTimeout(timer);
-  });
-  if (!isShown.value) return null;
-
   const scene = document.scene.value;
   const planned = planner.segments.value.flatMap((segment, index) => (segment.kind === "planning" ? [index] : []));
   const [only] = planned;
