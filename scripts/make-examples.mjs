@@ -4,7 +4,8 @@ import { mkdirSync, writeFileSync } from "node:fs";
 import { band } from "./examples/band.mjs";
 import { fieldShow } from "./examples/field-show.mjs";
 import { aligned, fourAroundOne, gridToRing, rotatedCopy, threeBlocks } from "./examples/figures.mjs";
-import { flower, starToRings } from "./examples/large.mjs";
+import { flower } from "./examples/flower.mjs";
+import { starToRings } from "./examples/large.mjs";
 import { previewOf, sampleTimes } from "./examples/preview.mjs";
 import { sceneText } from "./examples/text.mjs";
 import { main, root, step } from "./steps/run.mjs";
@@ -17,7 +18,7 @@ const EXAMPLES = {
   "star-to-five-rings": { make: starToRings, cover: 1 },
   "three-blocks": { make: threeBlocks, cover: 1 },
   "grid-to-ring": { make: gridToRing, cover: 0 },
-  "four-around-one": { make: fourAroundOne, cover: 0 },
+  "four-around-one": { make: fourAroundOne, cover: 2 },
   "rotated-copy": { make: rotatedCopy, cover: 1 },
   alignment: { make: aligned, cover: 2 },
 };

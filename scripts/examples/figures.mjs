@@ -1,7 +1,7 @@
-import { arc, block, line, moved, ring, turned } from "./places.mjs";
+import { arc, block, moved, ring, turned } from "./places.mjs";
 import { Show } from "./show.mjs";
 
-// Small scenes after the figures of the spectral method's paper (Takahashi et al. 2009): one idea each.
+// Small scenes, one idea each; three follow figures of "Spectral-Based Group Formation Control" (2008).
 
 const PALETTE = ["#c64f36", "#2d48cc", "#b98800", "#024b3b", "#e85fa8", "#1399e4", "#620687", "#07875b", "#4c5600"];
 const STAGE = { width: 30, depth: 20 };
@@ -22,7 +22,7 @@ export function rotatedCopy() {
   const middle = [0, 1].map((axis) => shape.reduce((sum, place) => sum + place[axis], 0) / shape.length);
   const source = moved(shape, -middle[0], -middle[1]);
   const everyone = { name: "everyone", count: shape.length, colors: PALETTE, isLoose: true };
-  return new Show({ title: "Rotated copy", stage: STAGE, minimumDistance: 0.5, sections: [everyone] })
+  return new Show({ title: "Rotated copy", stage: STAGE, minimumDistance: 1, sections: [everyone] })
     .keyframe({ name: "Start", time: 0, hold: 1 }, { everyone: source })
     .keyframe({ name: "Turned", time: 6, hold: 1, isInOrder: true }, { everyone: turned(source, 150) })
     .keyframe({ name: "Start again", time: 12, hold: 1, isInOrder: true }, { everyone: source })
@@ -32,13 +32,24 @@ export function rotatedCopy() {
     ]);
 }
 
-/** After figure 4: not quite the same arrangement. Without the alignment some turn the wrong way around. */
+/** After figure 4: not quite the same arrangement, turned. Without the alignment some go the other way around. */
 export function aligned() {
-  const source = ring(6, 6, 90).map(([x, y], index) => [x * 1.3, y * (index % 2 === 0 ? 0.75 : 0.6)]);
-  const target = turned(source, 115).map(([x, y], index) => [
-    x + [0.5, -1, 1, 0, -0.5, 0][index],
-    y + [1, 0, -0.5, -1, 0.5, 0][index],
-  ]);
+  const source = [
+    [-6, 1],
+    [-2.5, 3.2],
+    [2, 2.4],
+    [6, 0.4],
+    [2.2, -2.6],
+    [-2.8, -2.2],
+  ];
+  const target = [
+    [3.55, -4.35],
+    [-1.05, -4.2],
+    [-2.35, 0.5],
+    [-4.8, 3.95],
+    [0.5, 4],
+    [3.7, -0.05],
+  ];
   const everyone = { name: "everyone", count: 6, colors: PALETTE.slice(0, 6), isLoose: true };
   const spectral = { kind: "transition", method: "spectral", sharing: 0 };
   return new Show({ title: "With and without alignment", stage: STAGE, minimumDistance: 0.5, sections: [everyone] })
@@ -49,54 +60,56 @@ export function aligned() {
     .toScene([{ ...spectral, alignment: "none" }, spectral, { ...spectral, alignment: "pca" }]);
 }
 
-/** After figure 6: four about one pass a gate; ties of ten keep them together. */
+/** After figure 6: four turn about one among others who stand. First as they happen to stand, then tied by ten. */
 export function fourAroundOne() {
-  const plus = [[0, 0], ...ring(2.2, 4, 90)];
-  const gate = [...line([-1.6, 3.6], [-1.6, 8.4], 4), ...line([1.6, 3.6], [1.6, 8.4], 4)];
-  const walls = [...gate, ...gate.map(([x, y]) => [x, -y])];
+  const plus = [[0, 0], ...ring(2.4, 4)];
+  const others = ring(8, 12, 105).map(([x, y]) => [x * 1.35, y]);
+  const before = { Five: moved(plus, -3, -2), Others: others };
+  const after = { Five: moved(turned(plus, 135), 3, 2), Others: others };
   const sections = [
     { name: "Five", count: 5, prefix: "F" },
-    { name: "Gate", count: 16, prefix: "G", color: "#1d2a3a" },
+    { name: "Others", count: 12, prefix: "O", color: "#1d2a3a" },
   ];
   const ties = [1, 2, 3, 4].map((agent) => [0, agent, 10]);
-  return new Show({
-    title: "Four around one",
-    stage: STAGE,
-    minimumDistance: 0.5,
-    adjacency: { ties },
-    sections,
-  })
-    .keyframe({ name: "Before the gate", time: 0, hold: 1 }, { Five: moved(plus, -10, 0), Gate: walls })
-    .keyframe(
-      { name: "Behind it", time: 8, hold: 1, isInOrder: true },
-      { Five: moved(turned(plus, 90), 10, 0), Gate: walls },
-    )
-    .toScene([{ kind: "transition", method: "spectral" }]);
+  const loose = {};
+  return new Show({ title: "Four around one", stage: STAGE, minimumDistance: 0.5, adjacency: { ties }, sections })
+    .keyframe({ name: "Loose", time: 0, hold: 1, adjacency: loose }, before)
+    .keyframe({ name: "Came apart", time: 7, hold: 1, adjacency: loose, isInOrder: true }, after)
+    .keyframe({ name: "Tied", time: 14, hold: 1, isInOrder: true }, before)
+    .keyframe({ name: "Kept together", time: 21, hold: 1, isInOrder: true }, after)
+    .toScene(["spectral", "auto", "spectral"].map((method) => ({ kind: "transition", method })));
 }
 
 export function threeBlocks() {
   const twelve = block(4, 3, 1.5);
   const sections = ["Left", "Middle", "Right"].map((name) => ({ name, count: 12, prefix: name[0], tieWeight: 10 }));
-  const at = (angle) => arc(6.5, angle, angle, 1)[0];
-  return new Show({ title: "Three blocks changing places", stage: STAGE, minimumDistance: 0.7, sections })
+  const triangle = (turn) => ({
+    Left: moved(turned(twelve, turn), ...arc(6.6, 210 + turn, 210 + turn, 1)[0]),
+    Middle: moved(turned(twelve, turn), ...arc(6.6, 90 + turn, 90 + turn, 1)[0]),
+    Right: moved(turned(twelve, turn), ...arc(6.6, 330 + turn, 330 + turn, 1)[0]),
+  });
+  return new Show({
+    title: "Three blocks changing places",
+    stage: { width: 30, depth: 22 },
+    minimumDistance: 0.7,
+    sections,
+  })
     .keyframe(
       { name: "In a row", time: 0, hold: 1 },
       { Left: moved(twelve, -9, 0), Middle: twelve, Right: moved(twelve, 9, 0) },
     )
+    .keyframe({ name: "Triangle", time: 6, hold: 1, isInOrder: true }, triangle(0))
+    .keyframe({ name: "One on", time: 13, hold: 1, isInOrder: true }, triangle(120))
     .keyframe(
-      { name: "Triangle", time: 7, hold: 1, isInOrder: true },
-      {
-        Left: moved(twelve, ...at(210)),
-        Middle: moved(twelve, ...at(90)),
-        Right: moved(twelve, ...at(330)),
-      },
-    )
-    .keyframe(
-      { name: "All changed", time: 14, hold: 1, isInOrder: true },
-      { Left: twelve, Middle: moved(twelve, 9, 0), Right: moved(twelve, -9, 0) },
+      { name: "All changed", time: 19, hold: 1 },
+      { Left: moved(twelve, 9, 0), Middle: moved(twelve, -9, 0), Right: twelve },
     )
     .toScene();
 }
+
+/** How far the arms of the square swing out into the ring, and on into the diamond; degrees. */
+const INTO_RING = 60;
+const INTO_DIAMOND = 135;
 
 /** A square in four arms about its middle, and the ring they open to. */
 export function gridToRing() {
@@ -107,17 +120,19 @@ export function gridToRing() {
     ...arms.map((name) => ({ name, count: 12, prefix: name[0] })),
     { name: "middle", count: 1, isLoose: true },
   ];
-  const grid = { middle: [[0, 0]] };
-  const diamond = { middle: [[0, 0]] };
-  const around = { middle: [[0, 0]] };
-  for (const [index, name] of arms.entries()) {
-    grid[name] = turned(arm, 90 * index);
-    diamond[name] = turned(grid[name], 45);
-    around[name] = arc(9, 90 * index + 11.25, 90 * index + 93.75, 12);
-  }
-  return new Show({ title: "Grid to ring", stage: { width: 40, depth: 26 }, minimumDistance: 0.7, sections })
-    .keyframe({ name: "Grid", time: 0, hold: 1 }, grid)
-    .keyframe({ name: "Ring", time: 7, hold: 1 }, around)
-    .keyframe({ name: "Diamond", time: 14, hold: 1 }, diamond)
+  const formation = (places) => ({
+    middle: [[0, 0]],
+    ...Object.fromEntries(arms.map((name, index) => [name, turned(places, 90 * index)])),
+  });
+  return new Show({ title: "Grid to ring", stage: { width: 30, depth: 22 }, minimumDistance: 0.7, sections })
+    .keyframe({ name: "Grid", time: 0, hold: 1 }, formation(arm))
+    .keyframe(
+      { name: "Ring", time: 7, hold: 1, turn: INTO_RING },
+      formation(turned(arc(9, 11.25, 93.75, 12), INTO_RING)),
+    )
+    .keyframe(
+      { name: "Diamond", time: 14, hold: 1, turn: INTO_DIAMOND - INTO_RING },
+      formation(turned(arm, INTO_DIAMOND)),
+    )
     .toScene();
 }

@@ -1,5 +1,5 @@
 import { match } from "./matching.mjs";
-import { leastDistance } from "./places.mjs";
+import { leastDistance, turned } from "./places.mjs";
 
 /** Widths a page's link writes without loss. */
 const METRIC_GRID = 0.05;
@@ -18,17 +18,18 @@ export class Show {
   }
 
   /**
-   * Adds a formation. Each section takes the places given for it, nearest first; `isInOrder` keeps the order given.
+   * Adds a formation. Each section takes the places given for it so that it keeps its arrangement; where the whole
+   * turns on the way, by `turn` degrees, its arrangement turns along. `isInOrder` keeps the order given.
    *
    * @param {Record<string, [number, number][]>} places by section name
    */
-  keyframe({ name, time, hold, adjacency, isInOrder = false }, places) {
+  keyframe({ name, time, hold, adjacency, turn = 0, isInOrder = false }, places) {
     const before = this.keyframes.at(-1)?.bySection;
     const bySection = {};
     for (const { name: section, count } of this.sections) {
       const wanted = places[section].map((place) => place.map((value) => this.snapped(value)));
       if (wanted.length !== count) throw new Error(`${name}: ${section} has ${wanted.length} places for ${count}`);
-      bySection[section] = before && !isInOrder ? match(before[section], wanted) : wanted;
+      bySection[section] = before && !isInOrder ? match(turned(before[section], turn), wanted) : wanted;
     }
     const positions = this.sections.flatMap((section) => bySection[section.name]);
     const least = leastDistance(positions);
