@@ -17,10 +17,10 @@ export interface Canvases {
 
 /** Canvases that fill `host`, hidden from screen readers: the agents table tells the same in words. */
 export function createCanvases(host: HTMLElement): Canvases {
-  const backdrop = canvasContext(true);
-  const motion = canvasContext(false);
-  const handles = canvasContext(false);
-  const scratch = canvasContext(false);
+  const backdrop = createContext(1, 1, true);
+  const motion = createContext(1, 1);
+  const handles = createContext(1, 1);
+  const scratch = createContext(1, 1);
   for (const { canvas } of [backdrop, motion, handles]) {
     canvas.className = "stage-canvas";
     canvas.setAttribute("aria-hidden", "true");
@@ -46,8 +46,12 @@ export function createCanvases(host: HTMLElement): Canvases {
   };
 }
 
-function canvasContext(isOpaque: boolean): CanvasRenderingContext2D {
-  const context = document.createElement("canvas").getContext("2d", { alpha: !isOpaque });
+/** A canvas of its own, in canvas pixels. */
+export function createContext(width: number, height: number, isOpaque = false): CanvasRenderingContext2D {
+  const canvas = document.createElement("canvas");
+  canvas.width = width;
+  canvas.height = height;
+  const context = canvas.getContext("2d", { alpha: !isOpaque });
   if (!context) throw new Error("this browser draws no 2D canvas");
   return context;
 }

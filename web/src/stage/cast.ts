@@ -3,6 +3,7 @@ import { agentColors, agentLabel, groupColor } from "../document/queries";
 import { type GroupPath, mainTrack, type Scene } from "../document/scene";
 import { inkOn } from "./contrast";
 import type { Palette } from "./palette";
+import { shortName } from "./short-name";
 
 /** Agents of one color, so that a color is set once a frame. */
 export interface Paint {
@@ -28,6 +29,8 @@ export interface Cast {
   /** What reads on an agent's color, by agent. */
   readonly inks: readonly string[];
   readonly names: readonly string[];
+  /** What fits in a disc. */
+  readonly shortNames: readonly string[];
   readonly paints: readonly Paint[];
   /** Parents before children. */
   readonly groups: readonly CastGroup[];
@@ -48,10 +51,12 @@ export function castOf(scene: Scene, palette: Palette): Cast {
     agents: Uint32Array.from(agents),
   }));
   const inks = new Map(paints.map(({ color, ink }) => [color, ink]));
+  const names = Array.from({ length: count }, (_, agent) => agentLabel(scene, agent));
   return {
     colors,
     inks: colors.map((color) => inks.get(color) ?? palette.ink),
-    names: Array.from({ length: count }, (_, agent) => agentLabel(scene, agent)),
+    names,
+    shortNames: names.map(shortName),
     paints,
     groups: groupPaths(scene.groups).map((path) => {
       const group = groupAt(scene.groups, path);

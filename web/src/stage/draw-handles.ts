@@ -11,17 +11,17 @@ import { drawSelectedTie } from "./layers/ties";
 import { FEW_SELECTED } from "./subject";
 import { tieStrength, tieWidth } from "./ties";
 
-/** What the handles canvas shows. */
+/** What the handles canvas shows; one is kept and refilled. */
 export interface HandlesPicture {
-  readonly selection: Selection;
-  readonly selected: ReadonlySet<number>;
-  readonly hovered: number | null;
-  readonly overlay: Overlay;
-  readonly areNamesShown: boolean;
+  selection: Selection;
+  selected: ReadonlySet<number>;
+  hovered: number | null;
+  overlay: Overlay;
+  areNamesShown: boolean;
   /** A box with handles about the selection, rather than rings only. */
-  readonly hasBox: boolean;
+  hasBox: boolean;
   /** Of the keyframe at hand, for the weight of a selected tie. */
-  readonly ties: TieList | null;
+  ties: TieList | null;
 }
 
 /** Draws what the person does: selection, handles and the tool at work. */

@@ -1,4 +1,5 @@
-import type { Scene, Track } from "../document/scene";
+import { groupOf } from "../document/groups";
+import type { GroupPath, Scene, Track } from "../document/scene";
 import type { Selection } from "../document/selection";
 import type { SegmentMotion } from "../playback/motion";
 import type { Show } from "../playback/show";
@@ -11,7 +12,7 @@ import { drawNames } from "./layers/names";
 import { drawPathsToCome, drawStraightPaths } from "./layers/paths";
 import { drawCuts, drawTies } from "./layers/ties";
 import { createTrailsLayer } from "./layers/trails";
-import { createTurns, type Part } from "./layers/turns";
+import { createTurns } from "./layers/turns";
 import type { Scenery } from "./scenery";
 import { smoothstep } from "./spacing";
 import type { Layers } from "./view";
@@ -19,70 +20,53 @@ import type { Layers } from "./view";
 /** Seconds that the trails of a transition stay after it. */
 const LINGER = 0.4;
 
-/** What the motion canvas shows at one time. */
+/** What the motion canvas shows at one time; one is kept and refilled. */
 export interface MotionPicture {
-  readonly scene: Scene;
-  readonly track: Track;
-  readonly show: Show;
-  readonly lastMotions: readonly (SegmentMotion | null)[];
-  readonly scenery: Scenery;
-  readonly layers: Layers;
-  readonly selection: Selection;
-  readonly isMarked: Uint8Array | null;
+  scene: Scene;
+  track: Track;
+  show: Show;
+  lastMotions: readonly (SegmentMotion | null)[];
+  scenery: Scenery;
+  layers: Layers;
+  /** The group whose hull has an edge. */
+  outlined: GroupPath | null;
+  isMarked: Uint8Array | null;
   /** The Tie tool shows every tie and the cuts. */
-  readonly isTying: boolean;
-  readonly time: number;
+  isTying: boolean;
+  time: number;
+}
+
+/** The group that is selected, or hovered with the Group tool in hand. */
+export function outlinedGroup(
+  scene: Scene,
+  selection: Selection,
+  hovered: number | null,
+  isGrouping: boolean,
+): GroupPath | null {
+  if (selection.kind === "group") return selection.path;
+  return isGrouping && hovered !== null ? groupOf(scene.groups, hovered) : null;
 }
 
 /**
  * Draws everything that moves. Owns what its layers keep.
  *
- * Sparing, the agents are where they are and what lies under them is half a step behind, by turns.
+ * Sparing, the agents are where they are and what lies under them is drawn by turns, a frame behind.
  */
-export function createMotionPainter(): (
-  context: CanvasRenderingContext2D,
+export function createMotionPainter(
   frame: Frame,
   picture: MotionPicture,
   scratch: CanvasRenderingContext2D,
-  isSparing: boolean,
-) => void {
-  const turns = createTurns();
+): (context: CanvasRenderingContext2D, isSparing: boolean) => void {
   const drawAgents = createAgentsLayer();
   const drawTrails = createTrailsLayer();
   const clashes = new ClashFinder();
+  const turns = createTurns([drawGround, drawAllTrails]);
 
-  function drawAllTrails(context: CanvasRenderingContext2D, frame: Frame, picture: MotionPicture): void {
-    const { show, lastMotions, time } = picture;
-    const segment = show.segmentAt(time);
-    const before = (segment ?? show.keyframeBefore(time)) - 1;
-    const earlier = segment === null ? lastMotions[before] : show.motionOf(before);
-    if (earlier && earlier.agentCount === frame.agentCount) {
-      const since = segment === null ? 0 : time - show.startOf(segment);
-      drawTrails(context, frame, { motion: earlier, now: earlier.end, strength: 1 - smoothstep(0, LINGER, since) });
-    }
-    const motion = segment === null ? null : show.motionOf(segment);
-    if (motion) drawTrails(context, frame, { motion, now: time, strength: 1 });
-  }
-
-  function drawAllPaths(context: CanvasRenderingContext2D, frame: Frame, picture: MotionPicture): void {
-    const { show, track, time } = picture;
-    const next = show.keyframeBefore(time);
-    const target = track.keyframes[next + 1]?.positions;
-    const motion = show.motionOf(next);
-    if (motion) drawPathsToCome(context, frame, motion, Math.max(time, motion.start));
-    else if (target) drawStraightPaths(context, frame, target.xy);
-  }
-
-  function drawGround(
-    context: CanvasRenderingContext2D,
-    frame: Frame,
-    picture: MotionPicture,
-    scratch: CanvasRenderingContext2D,
-  ): void {
-    const { scene, track, show, scenery, layers, selection, time } = picture;
+  function drawGround(context: CanvasRenderingContext2D): void {
+    const { scene, track, show, scenery, layers, outlined, time } = picture;
     if (layers.groups) drawHulls(context, frame, scenery.hulls);
-    if (selection.kind === "group") {
-      const place = frame.cast.groups.findIndex((group) => group.path.join() === selection.path.join());
+    if (outlined) {
+      const place = frame.cast.groups.findIndex((group) => group.path.join() === outlined.join());
       const hull = scenery.hulls[place];
       if (hull) drawHullEdge(context, frame, hull, scratch);
     }
@@ -94,15 +78,37 @@ export function createMotionPainter(): (
     if (picture.isTying) {
       drawCuts(context, frame, (track.keyframes[show.keyframeBefore(time)]?.adjacency ?? scene.adjacency).cuts);
     }
-    if (layers.ghosts) drawAllPaths(context, frame, picture);
+    if (layers.ghosts) drawAllPaths(context);
   }
 
-  return (context, frame, picture, scratch, isSparing) => {
+  function drawAllPaths(context: CanvasRenderingContext2D): void {
+    const { show, track, time } = picture;
+    const next = show.keyframeBefore(time);
+    const target = track.keyframes[next + 1]?.positions;
+    const motion = show.motionOf(next);
+    if (motion) drawPathsToCome(context, frame, motion, Math.max(time, motion.start));
+    else if (target) drawStraightPaths(context, frame, target.xy);
+  }
+
+  /** Of the transition under way, and of the one before while it lingers; standing, of the one that led here. */
+  function drawAllTrails(context: CanvasRenderingContext2D): void {
+    const { show, lastMotions, layers, time } = picture;
+    if (!layers.trails) return;
+    const segment = show.segmentAt(time);
+    const before = (segment ?? show.keyframeBefore(time)) - 1;
+    const earlier = segment === null ? lastMotions[before] : show.motionOf(before);
+    if (earlier && earlier.agentCount === frame.agentCount) {
+      const since = segment === null ? 0 : time - show.startOf(segment);
+      drawTrails(context, frame, earlier, earlier.end, 1 - smoothstep(0, LINGER, since));
+    }
+    const motion = segment === null ? null : show.motionOf(segment);
+    if (motion) drawTrails(context, frame, motion, time, 1);
+  }
+
+  return (context, isSparing) => {
     const { scene, layers } = picture;
     context.clearRect(0, 0, frame.size.width, frame.size.height);
-    const parts: Part[] = [(onto) => drawGround(onto, frame, picture, scratch)];
-    if (layers.trails) parts.push((onto) => drawAllTrails(onto, frame, picture));
-    turns.draw(context, frame, parts, isSparing);
+    turns.draw(context, frame, isSparing);
     drawAgents(context, frame);
     if (layers.names) drawNames(context, frame);
     if (scene.minimumDistance > 0) {

@@ -21,7 +21,7 @@ export interface Palette {
   readonly fieldLine: string;
   readonly fieldLineMinor: string;
   readonly fieldNumber: string;
-  /** Red, green, blue of a tie; the canvas adds alpha. */
+  /** Opaque; the canvas adds alpha. */
   readonly tie: string;
   readonly trailAlpha: number;
   readonly hullAlpha: number;
@@ -53,7 +53,7 @@ export function readPalette(read: (name: string) => string): Palette {
     fieldLine: value("--field-line"),
     fieldLineMinor: value("--field-line-minor"),
     fieldNumber: value("--field-number"),
-    tie: value("--tie"),
+    tie: `rgb(${value("--tie")})`,
     trailAlpha: Number.parseFloat(value("--trail-alpha")),
     hullAlpha: Number.parseFloat(value("--hull-alpha")),
     onionAlpha: Number.parseFloat(value("--onion-alpha")),

@@ -24,23 +24,19 @@ export function setNameStyle(context: CanvasRenderingContext2D, frame: Frame): v
   context.textBaseline = "middle";
 }
 
-/** One name, squeezed to its disc when it is long. */
+/** One name, cut and squeezed to its disc. */
 export function drawName(context: CanvasRenderingContext2D, frame: Frame, agent: number): void {
   const x = frame.points[2 * agent] ?? 0;
   const y = frame.points[2 * agent + 1] ?? 0;
-  const name = frame.cast.names[agent] ?? "";
-  if (name.length > LONGEST || !frame.sees(x, y, frame.radius)) return;
+  if (!frame.sees(x, y, frame.radius)) return;
   context.fillStyle = frame.cast.inks[agent] ?? frame.palette.sheet;
-  context.fillText(name, x, y + 0.5, 2 * frame.radius - 2);
+  context.fillText(frame.cast.shortNames[agent] ?? "", x, y + 0.5, 2 * frame.radius - 2);
 }
 
-/** Longer names than this do not fit a disc at any size. */
-const LONGEST = 4;
-
-/** Whether an agent's name is not already inside its disc. */
+/** Whether an agent's whole name is not already inside its disc. */
 export function needsPill(frame: Frame, agent: number, areNamesShown: boolean): boolean {
   const isInside = areNamesShown && frame.radius >= ROOMY_RADIUS;
-  return !isInside || (frame.cast.names[agent] ?? "").length > LONGEST;
+  return !isInside || frame.cast.names[agent] !== frame.cast.shortNames[agent];
 }
 
 /** The name of an agent beside its disc, for those hovered and selected. */

@@ -32,18 +32,20 @@ export function drawTies(
   const room = always === "all" ? 1 : fade(frame.spacing, 7, 20);
   const marked = always === "all" ? null : always;
   context.lineCap = "butt";
+  context.strokeStyle = frame.palette.tie;
   for (const bundle of bundles) {
     const alpha = bundle.alpha * presence(bundle.phase, t);
     context.lineWidth = bundle.width;
     if (alpha * room > INVISIBLE) {
-      context.strokeStyle = `rgb(${frame.palette.tie} / ${alpha * room})`;
+      context.globalAlpha = alpha * room;
       strokePairs(context, frame, bundle.pairs, null);
     }
     if (marked && room < 1) {
-      context.strokeStyle = `rgb(${frame.palette.tie} / ${alpha * (1 - room)})`;
+      context.globalAlpha = alpha * (1 - room);
       strokePairs(context, frame, bundle.pairs, marked);
     }
   }
+  context.globalAlpha = 1;
 }
 
 /** Pairs that are not tied any more, shown so that they can be tied again. */
@@ -54,15 +56,17 @@ export function drawCuts(
 ): void {
   context.lineWidth = 1;
   context.lineCap = "butt";
-  context.strokeStyle = `rgb(${frame.palette.tie} / 0.4)`;
+  context.strokeStyle = frame.palette.tie;
+  context.globalAlpha = 0.4;
   context.setLineDash([3, 3]);
   context.beginPath();
   for (const [a, b] of cuts) line(context, frame, a, b);
   context.stroke();
   context.setLineDash([]);
+  context.globalAlpha = 1;
 }
 
-/** The tie that is selected, in the person's color. */
+/** The tie that is selected, in the person's color, from disc to disc. */
 export function drawSelectedTie(
   context: CanvasRenderingContext2D,
   frame: Frame,
@@ -70,11 +74,20 @@ export function drawSelectedTie(
   b: number,
   width: number,
 ): void {
+  const { points, radius } = frame;
+  const x = points[2 * a] ?? 0;
+  const y = points[2 * a + 1] ?? 0;
+  const dx = (points[2 * b] ?? 0) - x;
+  const dy = (points[2 * b + 1] ?? 0) - y;
+  const length = Math.hypot(dx, dy);
+  if (length <= 2 * radius) return;
+  const inset = radius / length;
   context.lineWidth = width + 1;
   context.lineCap = "round";
   context.strokeStyle = frame.palette.you;
   context.beginPath();
-  line(context, frame, a, b);
+  context.moveTo(x + dx * inset, y + dy * inset);
+  context.lineTo(x + dx * (1 - inset), y + dy * (1 - inset));
   context.stroke();
 }
 

@@ -5,16 +5,17 @@ import { outlineInto, stepAlpha, type TrailLook, trailLook } from "../ribbon";
 /** A step that bends less than this, CSS pixels, is drawn straight: four corners fill far faster than a bent outline. */
 const STRAIGHT = 0.35;
 
-/** A stretch of a motion that is drawn, scene seconds. */
-export interface TrailSpan {
-  readonly motion: SegmentMotion;
-  readonly now: number;
-  /** 1, or less while a trail fades. */
-  readonly strength: number;
-}
+/** Draws the trails of `motion` at `now`, scene seconds; `strength` is 1, or less while they fade. */
+type DrawTrails = (
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  motion: SegmentMotion,
+  now: number,
+  strength: number,
+) => void;
 
 /** Ribbons from where the agents were to where they are, thin and faint to thick and firm. Owns its buffers. */
-export function createTrailsLayer(): (context: CanvasRenderingContext2D, frame: Frame, span: TrailSpan) => void {
+export function createTrailsLayer(): DrawTrails {
   let outlines = new Float32Array(0);
   let line = new Float32Array(0);
   let samples = new Int32Array(0);
@@ -99,7 +100,7 @@ export function createTrailsLayer(): (context: CanvasRenderingContext2D, frame: 
     context.fill();
   }
 
-  return (context, frame, { motion, now, strength }) => {
+  return (context, frame, motion, now, strength) => {
     const duration = motion.end - motion.start;
     if (duration <= 0 || motion.times.length < 2 || strength <= 0) return;
     const look = trailLook(frame.spacing, frame.radius, frame.palette.trailAlpha, frame.agentCount);

@@ -1,0 +1,132 @@
+import type { Canvases } from "./canvases";
+import type { Cast } from "./cast";
+import { drawHandles, type HandlesPicture } from "./draw-handles";
+import { createMotionPainter, type MotionPicture, outlinedGroup } from "./draw-motion";
+import { Frame } from "./frame";
+import type { StageInputs } from "./inputs";
+import { drawBackdrop } from "./layers/backdrop";
+import { drawGhosts, drawTargets } from "./layers/onion";
+import { Onion } from "./onion";
+import type { Palette } from "./palette";
+import { createSceneryKeeper } from "./scenery";
+import { spacingAt, transitionSpacing } from "./spacing";
+import type { Subject } from "./subject";
+
+/** Which canvases show something old. */
+export interface Needs {
+  backdrop: boolean;
+  motion: boolean;
+  handles: boolean;
+}
+
+/** The theme and who is on stage in it. */
+export interface Look {
+  readonly palette: Palette;
+  readonly cast: Cast;
+}
+
+export interface Painter {
+  /** Draws what is needed, and the backdrop when the onion skin on it is another's. */
+  paint(look: Look, needs: Readonly<Needs>, isSparing: boolean): void;
+}
+
+/** Draws the stage as the signals say it is now. */
+export function createPainter(inputs: StageInputs, subject: Subject, canvases: Canvases, look: Look): Painter {
+  const { scene, selection, playback, view, toolbox } = inputs;
+  const sceneryFor = createSceneryKeeper();
+  const onion = new Onion();
+  const frame = new Frame(look.palette, look.cast);
+  const moving: MotionPicture = {
+    scene: scene.peek(),
+    track: subject.track.peek(),
+    show: subject.show.peek(),
+    lastMotions: [],
+    scenery: { ties: [], hulls: [] },
+    layers: view.layers.peek(),
+    outlined: null,
+    isMarked: null,
+    isTying: false,
+    time: 0,
+  };
+  const handles: HandlesPicture = {
+    selection: selection.peek(),
+    selected: new Set(),
+    hovered: null,
+    overlay: { kind: "none" },
+    areNamesShown: true,
+    hasBox: false,
+    ties: null,
+  };
+  const paintMoving = createMotionPainter(frame, moving, canvases.scratch);
+
+  function update(): void {
+    moving.scene = scene.peek();
+    moving.track = subject.track.peek();
+    moving.show = subject.show.peek();
+    moving.time = playback.time.peek();
+    const { track, show, time } = moving;
+    frame.look(view.camera.peek(), view.size.peek(), canvases.density, spacingAt(track, time));
+    frame.resize(track.agents.length);
+    show.positionsInto(time, frame.places);
+    frame.project();
+  }
+
+  function updateMoving(): void {
+    const { track, show, time } = moving;
+    const index = show.keyframeBefore(time);
+    moving.lastMotions = subject.lastMotions.peek();
+    moving.scenery = sceneryFor(track, frame.cast, subject.ties.peek(), index, show.segmentAt(time) !== null);
+    moving.layers = view.layers.peek();
+    const tool = toolbox.active.peek();
+    moving.outlined = outlinedGroup(moving.scene, selection.peek(), view.hovered.peek(), tool === "group");
+    moving.isMarked = subject.isMarked.peek();
+    moving.isTying = tool === "tie";
+  }
+
+  function updateHandles(): void {
+    handles.selection = selection.peek();
+    handles.selected = subject.selected.peek();
+    handles.hovered = view.hovered.peek();
+    handles.overlay = toolbox.overlay.peek();
+    handles.areNamesShown = view.layers.peek().names;
+    const isSelecting = toolbox.active.peek() === "select" && handles.selection.kind === "agents";
+    handles.hasBox = isSelecting && !playback.isPlaying.peek() && handles.overlay.kind !== "marquee";
+    handles.ties = subject.ties.peek()[moving.show.keyframeBefore(moving.time)] ?? null;
+  }
+
+  function paintBackdrop(): void {
+    const { spacing, radius } = frame;
+    const context = canvases.backdrop;
+    drawBackdrop(context, frame, moving.scene.stage);
+    if (view.layers.peek().ghosts) {
+      frame.look(frame.camera, frame.size, frame.density, transitionSpacing(moving.track, onion.segment));
+      if (onion.from) drawGhosts(context, frame, onion.from.xy);
+      if (onion.to) drawTargets(context, frame, onion.to.xy);
+    }
+    frame.spacing = spacing;
+    frame.radius = radius;
+  }
+
+  function paintHandles(): void {
+    const isEmpty = handles.selected.size === 0 && handles.hovered === null && handles.overlay.kind === "none";
+    // An empty sheet laid over the others would cost every frame.
+    canvases.handles.canvas.hidden = isEmpty;
+    if (!isEmpty) drawHandles(canvases.handles, frame, handles);
+  }
+
+  return {
+    paint({ palette, cast }, needs, isSparing) {
+      frame.palette = palette;
+      frame.cast = cast;
+      if (needs.motion || needs.backdrop) update();
+      const isOtherOnion = onion.take(moving.track, moving.show, moving.time);
+      if (needs.backdrop || isOtherOnion) paintBackdrop();
+      if (needs.motion) {
+        updateMoving();
+        paintMoving(canvases.motion, isSparing);
+      }
+      updateHandles();
+      if (needs.handles || (needs.motion && !canvases.handles.canvas.hidden)) paintHandles();
+    },
+  };
+}
