@@ -2,7 +2,7 @@
 type Linear = readonly [r: number, g: number, b: number];
 
 /** Relative luminance of `#rrggbb`, 0..1 (WCAG 2.2). */
-export function luminance(hex: string): number {
+function luminance(hex: string): number {
   const [r, g, b] = linearOf(hex);
   return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
@@ -37,12 +37,6 @@ export function withContrast(color: string, ground: string, ratio: number): stri
 /** Black or white, whichever reads better on `color`. */
 export function inkOn(color: string): "#101513" | "#ffffff" {
   return contrast(color, "#101513") >= contrast(color, "#ffffff") ? "#101513" : "#ffffff";
-}
-
-/** `#rrggbb` with an alpha of 0..1, as CSS writes it. */
-export function withAlpha(hex: string, alpha: number): string {
-  const value = Number.parseInt(hex.slice(1), 16);
-  return `rgb(${value >> 16} ${(value >> 8) & 255} ${value & 255} / ${alpha})`;
 }
 
 function shownAt(lightness: number, a: number, b: number): string {

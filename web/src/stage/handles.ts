@@ -8,7 +8,7 @@ export type Handle = ScaleHandle | "rotate";
 export const SCALE_HANDLES: readonly ScaleHandle[] = ["nw", "n", "ne", "e", "se", "s", "sw", "w"];
 
 /** CSS pixels: distance of the rotate handle above the box. */
-export const ROTATE_REACH = 22;
+const ROTATE_REACH = 22;
 
 /** The frame around the selected agents: CSS pixels on the stage element. */
 export interface SelectionBox {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { Formation } from "../document/formation";
 import type { TieList } from "../engine/api";
-import { bundleTies, pairsWithin, shownWeight, tieAlpha, tieStrength, tieWidth } from "./ties";
+import { bundleTies, pairsWithin, shownWeight, tieAlpha, tieStrength, tieWidth, trianglesOf } from "./ties";
 
 const row = Formation.from([
   [0, 0],
@@ -61,5 +61,12 @@ describe("ties", () => {
     const pairs = pairsWithin(bundles, Uint32Array.of(0, 1, 2));
     expect(pairs.length).toBe(4);
     expect([...pairs]).not.toContain(3);
+  });
+
+  it("three agents all tied to each other are one triangle, in whatever order their ties come", () => {
+    expect([...trianglesOf(Uint32Array.of(2, 1, 0, 2, 1, 0))].sort()).toEqual([0, 1, 2]);
+    expect(trianglesOf(Uint32Array.of(0, 1, 1, 2, 2, 3, 3, 0))).toHaveLength(0);
+    // Four agents all tied have four triangles.
+    expect(trianglesOf(Uint32Array.of(0, 1, 0, 2, 0, 3, 1, 2, 1, 3, 2, 3))).toHaveLength(12);
   });
 });
