@@ -32,3 +32,26 @@ pub fn principal_axes(points: &[DVec2]) -> PrincipalAxes {
     // The difference of two near equals can come out a hair below zero.
     PrincipalAxes { angle: 0.5 * (2.0 * xy).atan2(xx - yy), major: middle + half_gap, minor: (middle - half_gap).max(0.0) }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+
+    use super::*;
+
+    fn check(points: &[[f64; 2]], angle: f64, major: f64, minor: f64) {
+        let axes = principal_axes(&points.iter().copied().map(DVec2::from_array).collect::<Vec<_>>());
+        assert!((axes.angle - angle).abs() < 1e-15, "{axes:?}");
+        assert!((axes.major - major).abs() < 1e-15 && (axes.minor - minor).abs() < 1e-15, "{axes:?}");
+    }
+
+    #[test]
+    fn axes_lie_along_the_greatest_spread() {
+        check(&[], 0.0, 0.0, 0.0);
+        check(&[[7.0, 7.0]], 0.0, 0.0, 0.0);
+        check(&[[-1.0, 0.0], [1.0, 0.0]], 0.0, 1.0, 0.0);
+        check(&[[0.0, -1.0], [0.0, 1.0]], FRAC_PI_2, 1.0, 0.0);
+        check(&[[4.0, 4.0], [6.0, 6.0]], FRAC_PI_4, 2.0, 0.0);
+        check(&[[-2.0, 1.0], [2.0, 1.0], [2.0, -1.0], [-2.0, -1.0]], 0.0, 4.0, 1.0);
+    }
+}

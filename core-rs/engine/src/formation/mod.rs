@@ -3,8 +3,11 @@
 //! Geometry only: it knows positions by agent index, never ties, names or times.
 
 mod axes;
+mod neighbors;
+mod spacing;
 
 pub use axes::{PrincipalAxes, principal_axes};
+pub use neighbors::PairSearch;
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -37,8 +40,7 @@ impl Formation {
 
     /// Opposite corners of the bounding box, lower left and upper right; both the origin for no agents.
     pub fn bounds(&self) -> (DVec2, DVec2) {
-        let first = self.0.first().copied().unwrap_or_default();
-        self.0.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)))
+        bounds(&self.0)
     }
 
     /// The diagonal of the bounding box, meters: the scale of every relative tolerance.
@@ -58,4 +60,9 @@ impl From<Formation> for Vec<[f64; 2]> {
     fn from(formation: Formation) -> Self {
         formation.0.into_iter().map(|p| p.to_array()).collect()
     }
+}
+
+fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
+    let first = points.first().copied().unwrap_or_default();
+    points.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)))
 }

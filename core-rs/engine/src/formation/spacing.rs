@@ -1,0 +1,70 @@
+//! How big a formation is and how close its agents stand.
+
+use super::{Formation, PairSearch};
+
+impl Formation {
+    /// The root of the mean squared distance from the barycenter, meters; 0 for no agents.
+    pub fn rms_radius(&self) -> f64 {
+        let middle = self.barycenter();
+        let sum: f64 = self.positions().iter().map(|position| position.distance_squared(middle)).sum();
+        if self.agent_count() == 0 { 0.0 } else { (sum / self.agent_count() as f64).sqrt() }
+    }
+
+    /// The median over the agents of the distance to the nearest other, meters (the mean of the middle two of an even number);
+    /// none below two agents.
+    pub fn median_spacing(&self) -> Option<f64> {
+        let agent_count = self.agent_count();
+        if agent_count < 2 {
+            return None;
+        }
+        let extent = self.extent();
+        let mut search = PairSearch::default();
+        let mut nearest = vec![f64::INFINITY; agent_count];
+        // What is found within the radius is final, so the radius grows only until it has found the middle.
+        let mut radius = extent / agent_count as f64;
+        loop {
+            search.for_each_within(self.positions(), radius, |a, b, distance_squared| {
+                for agent in [a, b] {
+                    let nearest = &mut nearest[agent as usize];
+                    *nearest = nearest.min(distance_squared);
+                }
+            });
+            let found = nearest.iter().filter(|nearest| nearest.is_finite()).count();
+            if found > agent_count / 2 || radius > extent {
+                break;
+            }
+            radius *= 2.0;
+        }
+        nearest.sort_unstable_by(f64::total_cmp);
+        let (lower, upper) = (nearest[(agent_count - 1) / 2].sqrt(), nearest[agent_count / 2].sqrt());
+        Some(f64::midpoint(lower, upper))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(points: &[[f64; 2]], spacing: Option<f64>) {
+        assert_eq!(Formation::from(points.to_vec()).median_spacing(), spacing);
+    }
+
+    #[test]
+    fn spacing_is_the_median_to_the_nearest() {
+        check(&[], None);
+        check(&[[1.0, 1.0]], None);
+        check(&[[1.0, 1.0]; 3], Some(0.0));
+        check(&[[0.0, 0.0], [3.0, 4.0]], Some(5.0));
+        // Nearest distances 1, 1, 2, 3.
+        check(&[[0.0, 0.0], [1.0, 0.0], [3.0, 0.0], [6.0, 0.0]], Some(1.5));
+        // One agent far away, and the others nearer to one another than the extent suggests.
+        check(&[[0.0, 0.0], [0.5, 0.0], [0.0, 0.5], [9e4, 0.0]], Some(0.5));
+    }
+
+    #[test]
+    fn an_rms_radius_is_taken_from_the_barycenter() {
+        let square = Formation::from(vec![[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]]);
+        assert!((square.rms_radius() - 2f64.sqrt()).abs() < 1e-15);
+        assert!(Formation::default().rms_radius().abs() < f64::MIN_POSITIVE);
+    }
+}
