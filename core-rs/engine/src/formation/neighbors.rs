@@ -6,23 +6,26 @@ use glam::DVec2;
 
 use super::bounds;
 
-/// Cells a side at most, so that a cell's row and column fit one key.
-const CELLS_A_SIDE: f64 = (1u32 << 20) as f64;
+/// Cells a side at most: row and column take 20 bits each.
+const CELLS_A_SIDE: f64 = (1u32 << 19) as f64;
 
-/// Finds near pairs; its buffer serves every search.
+/// What is left of a key for the agent.
+const AGENT_BITS: u32 = 24;
+
+/// Keys of cells that are neighbors in a row differ by this.
+const COLUMN: u64 = 1 << AGENT_BITS;
+
+/// Keys of cells that are neighbors in a column differ by this.
+const ROW: u64 = 1 << (AGENT_BITS + 20);
+
+/// Finds near pairs; its buffers serve every search.
 #[derive(Default)]
 pub struct PairSearch {
-    slots: Vec<Slot>,
+    /// Row, column and agent of every point, ascending: plain numbers sort fastest.
+    keys: Vec<u64>,
+    /// Points in the order of the keys.
+    places: Vec<DVec2>,
 }
-
-struct Slot {
-    /// Row and column: neighbors in a row differ by 1, neighbors in a column by [`ROW`].
-    cell: u64,
-    agent: u32,
-    at: DVec2,
-}
-
-const ROW: u64 = 1 << 32;
 
 impl PairSearch {
     /// Visits every pair a < b of `points` at most `radius` meters apart once, always in the same order, with its squared distance.
@@ -31,34 +34,45 @@ impl PairSearch {
     pub fn for_each_within(&mut self, points: &[DVec2], radius: f64, mut visit: impl FnMut(u32, u32, f64)) {
         self.sort_into_cells(points, radius);
         let radius_squared = radius * radius;
-        let slots = &self.slots[..];
+        let agent = |key: u64| (key % COLUMN) as u32;
+        // From the cell above and before; row and column 0 stay free, so that nothing wraps.
         let mut above = 0;
-        for (place, slot) in slots.iter().enumerate() {
-            let here = slots[place + 1..].iter().take_while(|other| other.cell <= slot.cell + 1);
-            while slots.get(above).is_some_and(|other| other.cell + 1 < slot.cell + ROW) {
+        for (here, (&key, &at)) in self.keys.iter().zip(&self.places).enumerate() {
+            let cell = key - key % COLUMN;
+            while self.keys.get(above).is_some_and(|&other| other < cell + ROW - COLUMN) {
                 above += 1;
             }
-            let next_row = slots[above..].iter().take_while(|other| other.cell <= slot.cell + ROW + 1);
-            for other in here.chain(next_row) {
-                let distance_squared = slot.at.distance_squared(other.at);
-                if distance_squared <= radius_squared {
-                    visit(slot.agent.min(other.agent), slot.agent.max(other.agent), distance_squared);
+            let mut meet = |from: usize, end: u64| {
+                for (&other_key, &other) in self.keys[from..].iter().zip(&self.places[from..]) {
+                    if other_key >= end {
+                        break;
+                    }
+                    let distance_squared = at.distance_squared(other);
+                    if distance_squared <= radius_squared {
+                        let (a, b) = (agent(key), agent(other_key));
+                        visit(a.min(b), a.max(b), distance_squared);
+                    }
                 }
-            }
+            };
+            meet(here + 1, cell + 2 * COLUMN);
+            meet(above, cell + ROW + 2 * COLUMN);
         }
     }
 
     fn sort_into_cells(&mut self, points: &[DVec2], radius: f64) {
+        assert!(points.len() as u64 <= COLUMN, "agents fit their bits");
         let (low, high) = bounds(points);
         // A hair wider than the radius, or rounding could put a pair just that far apart two cells apart.
         let size = (1.0 + 1e-9) * radius.max((high - low).max_element() / CELLS_A_SIDE);
         let per_meter = if size > 0.0 { 1.0 / size } else { 0.0 };
-        self.slots.clear();
-        self.slots.extend((0..).zip(points).map(|(agent, &at)| {
+        self.keys.clear();
+        self.keys.extend((0..).zip(points).map(|(agent, &at)| {
             let cell = (at - low) * per_meter;
-            Slot { cell: cell.y as u64 * ROW + cell.x as u64, agent, at }
+            (cell.y as u64 + 1) * ROW + (cell.x as u64 + 1) * COLUMN + agent
         }));
-        self.slots.sort_unstable_by_key(|slot| (slot.cell, slot.agent));
+        self.keys.sort_unstable();
+        self.places.clear();
+        self.places.extend(self.keys.iter().map(|&key| points[(key % COLUMN) as usize]));
     }
 }
 

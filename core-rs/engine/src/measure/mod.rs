@@ -10,7 +10,7 @@ use glam::DVec2;
 use serde::Serialize;
 
 use crate::adjacency::Adjacency;
-use crate::motion::{Approach, Motion, PairGrid, approaches};
+use crate::motion::{Approach, Motion, closeness};
 
 pub use score::{Score, score};
 
@@ -105,19 +105,19 @@ pub struct Curves {
 /// `minimum_distance` in meters.
 pub fn measure(motion: &Motion, ts: &[f64], graphs: [&Adjacency; 2], minimum_distance: f64) -> (Measures, Curves) {
     let distortion_curve = Distortion::new(motion, graphs).curve(motion, ts);
-    let approaches = approaches(motion);
+    let closeness = closeness(motion, minimum_distance - DISTANCE_TOLERANCE);
     let walk = walk(motion);
     let radii = rms_radii(motion);
     let measures = Measures {
         distortion: extreme(&distortion_curve),
         turning: extreme(&walk.turning),
-        clearance: nearest(&approaches),
-        near_collisions: near_collisions(motion, minimum_distance),
+        clearance: closeness.nearest().map(|Approach { distance, time, agents }| Clearance { distance, time, agents }),
+        near_collisions: closeness.near_count,
         path_length: extreme(&walk.path_length),
         top_speed: walk.top_speed,
         rms_radius: radii,
     };
-    let mut clearance: Vec<f64> = approaches.iter().map(|approach| approach.distance).collect();
+    let mut clearance: Vec<f64> = closeness.approaches.iter().map(|approach| approach.distance).collect();
     clearance.resize(motion.times().len(), clearance.last().copied().unwrap_or(f64::INFINITY));
     let curves = Curves {
         clearance,
@@ -132,30 +132,6 @@ pub fn measure(motion: &Motion, ts: &[f64], graphs: [&Adjacency; 2], minimum_dis
 fn extreme(values: &[f64]) -> Extreme {
     let count = values.len().max(1) as f64;
     Extreme { mean: values.iter().sum::<f64>() / count, max: values.iter().copied().fold(0.0, f64::max) }
-}
-
-fn nearest(approaches: &[Approach]) -> Option<Clearance> {
-    let mut least: Option<&Approach> = None;
-    for approach in approaches {
-        if least.is_none_or(|least| approach.distance < least.distance) {
-            least = Some(approach);
-        }
-    }
-    least.map(|&Approach { distance, time, agents }| Clearance { distance, time, agents })
-}
-
-fn near_collisions(motion: &Motion, minimum_distance: f64) -> usize {
-    let limit = minimum_distance - DISTANCE_TOLERANCE;
-    if limit <= 0.0 {
-        return 0;
-    }
-    let mut grid = PairGrid::default();
-    let mut count = 0;
-    for k in 0..motion.times().len() {
-        let at = motion.sample(k);
-        grid.for_each_pair(at, limit, |a, b| count += usize::from(at[a as usize].distance(at[b as usize]) < limit));
-    }
-    count
 }
 
 fn rms_radii(motion: &Motion) -> Range {

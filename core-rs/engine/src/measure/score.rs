@@ -3,7 +3,8 @@
 use super::distortion::Distortion;
 use super::{extreme, walk};
 use crate::adjacency::Adjacency;
-use crate::motion::{Motion, PairGrid};
+use crate::formation::PairSearch;
+use crate::motion::Motion;
 
 /// What a radian of mean turning costs beside a mean distortion of 1.
 const TURNING_COST: f64 = 0.02;
@@ -45,7 +46,7 @@ struct Nearness {
 
 /// One pass over the near pairs of every sample serves both figures.
 fn nearness(motion: &Motion, minimum_distance: f64) -> Nearness {
-    let mut grid = PairGrid::default();
+    let mut search = PairSearch::default();
     let mut least = None;
     let mut crowding = 0.0;
     for k in 0..motion.times().len() {
@@ -56,8 +57,8 @@ fn nearness(motion: &Motion, minimum_distance: f64) -> Nearness {
         // Any pair bounds the least distance from above.
         let bound = least.unwrap_or_else(|| at[0].distance(at[1]));
         let mut nearest: f64 = bound;
-        grid.for_each_pair(at, bound.max(minimum_distance), |a, b| {
-            let distance = at[a as usize].distance(at[b as usize]);
+        search.for_each_within(at, bound.max(minimum_distance), |_, _, distance_squared| {
+            let distance = distance_squared.sqrt();
             nearest = nearest.min(distance);
             if distance < minimum_distance {
                 crowding += 1.0 - distance / minimum_distance;

@@ -1,8 +1,16 @@
 //! How near any two agents come, between samples too.
+//!
+//! Exact: every pair that could be the nearest in a piece is tried analytically. Few could, and mostly those of the piece before, so
+//! they are listed once for as many pieces as nobody has moved far enough to break the list.
 
 use glam::DVec2;
 
-use super::{Motion, PairGrid};
+use super::Motion;
+use super::pair_list::PairList;
+
+/// Distances that differ by less are one, meters: the earlier moment and the lower indices are named then. A formation that keeps its
+/// shape would otherwise name whatever rounding picks, and that is not the same on every machine.
+const SAME_DISTANCE: f64 = 1e-9;
 
 /// Two agents at their nearest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,69 +23,137 @@ pub struct Approach {
     pub agents: (u32, u32),
 }
 
-/// The nearest approach of any two agents in each interval between samples, exact for the straight pieces: `result[k]` is between
-/// samples k and k + 1. Of equal distances the earlier, then the pair of lower indices. Empty for fewer than two agents or samples.
-pub fn approaches(motion: &Motion) -> Vec<Approach> {
-    if motion.agent_count() < 2 || motion.times().len() < 2 {
-        return Vec::new();
-    }
-    let mut grid = PairGrid::default();
-    let mut last: Option<Approach> = None;
-    (1..motion.times().len())
-        .map(|k| {
-            let piece = Piece { from: motion.sample(k - 1), to: motion.sample(k), times: [motion.times()[k - 1], motion.times()[k]] };
-            let nearest = piece.nearest(&mut grid, last);
-            last = Some(nearest);
-            nearest
-        })
-        .collect()
+/// How near the agents of a motion come.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Closeness {
+    /// `approaches[k]` is the nearest of any two agents from sample k to the next, exact for the straight piece; of distances within
+    /// 1e-9 m the lowest pair. Empty for fewer than two agents or samples.
+    pub approaches: Vec<Approach>,
+    /// How many (sample, pair) are nearer than the limit.
+    pub near_count: usize,
 }
 
-/// One interval: everybody moves straight.
+impl Closeness {
+    /// The nearest of all, the earliest of those within 1e-9 m.
+    pub fn nearest(&self) -> Option<Approach> {
+        let least = self.approaches.iter().map(|approach| approach.distance).min_by(f64::total_cmp)?;
+        self.approaches.iter().find(|approach| approach.distance <= least + SAME_DISTANCE).copied()
+    }
+}
+
+/// How near the agents come; `limit` in meters, 0 to count nothing.
+///
+/// Time grows with the number of pairs within the limit or the least distance, whichever is greater.
+pub fn closeness(motion: &Motion, limit: f64) -> Closeness {
+    let mut result = Closeness::default();
+    let sample_count = motion.times().len();
+    if motion.agent_count() < 2 || sample_count == 0 {
+        return result;
+    }
+    let mut list = PairList::default();
+    let limit = limit.max(0.0);
+    let mut pair = near_pair(motion.sample(0));
+    for k in 1..sample_count {
+        let mut piece = Piece::new(motion, k - 1, k, pair, limit);
+        piece.search(&mut list);
+        pair = piece.nearest.pair;
+        result.near_count += piece.near_count;
+        result.approaches.push(piece.approach());
+    }
+    // Every piece counts at its start; this one is the end.
+    let mut end = Piece::new(motion, sample_count - 1, sample_count - 1, pair, limit);
+    end.search(&mut list);
+    result.near_count += end.near_count;
+    result
+}
+
+/// From one sample to another: everybody moves straight.
 struct Piece<'a> {
-    from: &'a [DVec2],
-    to: &'a [DVec2],
-    times: [f64; 2],
+    motion: &'a Motion,
+    samples: [usize; 2],
+    limit: f64,
+    nearest: Nearest,
+    near_count: usize,
 }
 
-impl Piece<'_> {
-    /// The last interval's pair bounds the distance from above, so only pairs that start near enough to beat it are looked at.
-    fn nearest(&self, grid: &mut PairGrid, last: Option<Approach>) -> Approach {
-        let longest = self.from.iter().zip(self.to).map(|(from, to)| from.distance(*to)).fold(0.0, f64::max);
-        let mut best = self.approach(last.map_or((0, 1), |last| last.agents));
-        if last.is_none() {
-            self.improve(grid, self.typical_spacing(), &mut best);
-        }
-        let bound = best.distance + 2.0 * longest;
-        self.improve(grid, bound, &mut best);
-        best
+/// The nearest pair of a piece so far; t is 0 at its start, 1 at its end.
+struct Nearest {
+    distance: f64,
+    t: f64,
+    pair: (u32, u32),
+}
+
+impl<'a> Piece<'a> {
+    /// `pair` bounds the distance from above; the nearest of the piece before is a good one.
+    fn new(motion: &'a Motion, start: usize, end: usize, pair: (u32, u32), limit: f64) -> Self {
+        let (from, to) = apart([motion.sample(start), motion.sample(end)], pair);
+        let (distance_squared, t) = nearest_approach(from, to);
+        let nearest = Nearest { distance: distance_squared.sqrt(), t, pair };
+        Self { motion, samples: [start, end], limit, nearest, near_count: 0 }
     }
 
-    fn improve(&self, grid: &mut PairGrid, radius: f64, best: &mut Approach) {
-        grid.for_each_pair(self.from, radius, |a, b| {
-            let candidate = self.approach((a, b));
-            let rank = |approach: &Approach| (approach.distance, approach.time, approach.agents);
-            if rank(&candidate) < rank(best) {
-                *best = candidate;
+    fn search(&mut self, list: &mut PairList) {
+        let ends = self.samples.map(|k| self.motion.sample(k));
+        let radius = self.limit.max(self.nearest.distance + SAME_DISTANCE);
+        let (nearest, near_count) = (&mut self.nearest, &mut self.near_count);
+        let limit_squared = self.limit * self.limit;
+        let mut bound_squared = (nearest.distance + SAME_DISTANCE).powi(2);
+        list.for_each(self.motion, self.samples, radius, |a, b| {
+            let (from, to) = apart(ends, (a, b));
+            *near_count += usize::from(from.length_squared() < limit_squared);
+            let (distance_squared, t) = nearest_approach(from, to);
+            if distance_squared <= bound_squared {
+                nearest.offer(distance_squared.sqrt(), t, (a, b));
+                bound_squared = (nearest.distance + SAME_DISTANCE).powi(2);
             }
         });
     }
 
-    /// The side of the square that an agent has to itself if all share their box evenly.
-    fn typical_spacing(&self) -> f64 {
-        let (low, high) = self.from.iter().fold((self.from[0], self.from[0]), |(low, high), p| (low.min(*p), high.max(*p)));
-        let size = high - low;
-        (size.x * size.y / self.from.len() as f64).sqrt()
+    fn approach(&self) -> Approach {
+        let [start, end] = self.samples.map(|k| self.motion.times()[k]);
+        let Nearest { distance, t, pair } = self.nearest;
+        Approach { distance, time: start + t * (end - start), agents: pair }
     }
+}
 
-    fn approach(&self, (a, b): (u32, u32)) -> Approach {
-        let start = self.from[a as usize] - self.from[b as usize];
-        let way = self.to[a as usize] - self.to[b as usize] - start;
-        let length_squared = way.length_squared();
-        let t = if length_squared > 0.0 { (-start.dot(way) / length_squared).clamp(0.0, 1.0) } else { 0.0 };
-        let time = self.times[0] + t * (self.times[1] - self.times[0]);
-        Approach { distance: (start + t * way).length(), time, agents: (a, b) }
+impl Nearest {
+    fn offer(&mut self, distance: f64, t: f64, pair: (u32, u32)) {
+        if distance < self.distance - SAME_DISTANCE || pair < self.pair {
+            (self.t, self.pair) = (t, pair);
+        }
+        self.distance = self.distance.min(distance);
     }
+}
+
+/// What separates a pair at both ends of a piece.
+fn apart(ends: [&[DVec2]; 2], (a, b): (u32, u32)) -> (DVec2, DVec2) {
+    let [from, to] = ends.map(|at| at[a as usize] - at[b as usize]);
+    (from, to)
+}
+
+/// The least squared length between two separations, and when, 0–1: the start when it stays the same.
+fn nearest_approach(from: DVec2, to: DVec2) -> (f64, f64) {
+    let change = to - from;
+    let closing = -from.dot(change);
+    let change_squared = change.length_squared();
+    if closing <= 0.0 {
+        (from.length_squared(), 0.0)
+    } else if closing >= change_squared {
+        (to.length_squared(), 1.0)
+    } else {
+        let t = closing / change_squared;
+        ((from + t * change).length_squared(), t)
+    }
+}
+
+/// Two agents that are near one another, not always the nearest.
+fn near_pair(at: &[DVec2]) -> (u32, u32) {
+    let mut order: Vec<u32> = (0..at.len() as u32).collect();
+    let place = |agent: u32| at[agent as usize];
+    order.sort_unstable_by(|&a, &b| place(a).x.total_cmp(&place(b).x).then(place(a).y.total_cmp(&place(b).y)).then(a.cmp(&b)));
+    let distance = |pair: (u32, u32)| place(pair.0).distance_squared(place(pair.1));
+    let pairs = order.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1])));
+    pairs.min_by(|&p, &q| distance(p).total_cmp(&distance(q))).expect("two agents")
 }
 
 #[cfg(test)]
@@ -93,30 +169,82 @@ mod tests {
 
     #[test]
     fn two_agents_that_swap_places_meet_halfway_although_no_sample_sees_it() {
-        let swap = motion(&[vec![(0.0, 0.0), (2.0, 0.0)], vec![(2.0, 0.0), (0.0, 0.0)]]);
-        assert_eq!(approaches(&swap), [Approach { distance: 0.0, time: 0.5, agents: (0, 1) }]);
+        let swap = closeness(&motion(&[vec![(0.0, 0.0), (2.0, 0.0)], vec![(2.0, 0.0), (0.0, 0.0)]]), 1.0);
+        assert_eq!(swap.approaches, [Approach { distance: 0.0, time: 0.5, agents: (0, 1) }]);
+        assert_eq!(swap.near_count, 0, "at no sample");
     }
 
     #[test]
-    fn a_lone_agent_approaches_nobody() {
-        assert_eq!(approaches(&motion(&[vec![(0.0, 0.0)], vec![(1.0, 0.0)]])), []);
+    fn a_pair_is_nearest_where_it_passes() {
+        let check = |from: [f64; 2], to: [f64; 2], distance: f64, t: f64| {
+            let (found, when) = nearest_approach(DVec2::from_array(from), DVec2::from_array(to));
+            assert!((found.sqrt() - distance).abs() < 1e-15 && (when - t).abs() < 1e-15, "{from:?} to {to:?}: {found} at {when}");
+        };
+        check([-1.0, 0.5], [1.0, 0.5], 0.5, 0.5);
+        check([-1.0, 0.0], [3.0, 0.0], 0.0, 0.25);
+        check([1.0, 0.0], [2.0, 0.0], 1.0, 0.0);
+        check([2.0, 1.0], [0.0, 1.0], 1.0, 1.0);
+        check([3.0, 4.0], [3.0, 4.0], 5.0, 0.0);
+        check([0.0, 0.0], [0.0, 0.0], 0.0, 0.0);
+    }
+
+    #[test]
+    fn a_formation_that_keeps_its_shape_is_nearest_at_once_and_names_its_first_pair() {
+        let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
+        let turned = |k: i32| square.map(|p| DVec2::from_angle(0.1 * f64::from(k)).rotate(p) + DVec2::new(0.3 * f64::from(k), 1e4));
+        let motion = Motion::new((0..50).map(f64::from).collect(), 4, (0..50).flat_map(turned).collect());
+        // A chord of the turn cuts the corner: the first piece is as near as any.
+        let found = closeness(&motion, 0.0).nearest().unwrap();
+        assert_eq!((found.agents, found.time < 1.0), ((0, 1), true), "{found:?}");
+    }
+
+    #[test]
+    fn nobody_and_a_lone_agent_approach_nobody() {
+        assert_eq!(closeness(&Motion::new(vec![0.0, 1.0], 0, Vec::new()), 1.0), Closeness::default());
+        assert_eq!(closeness(&motion(&[vec![(0.0, 0.0)], vec![(1.0, 0.0)]]), 1.0), Closeness::default());
+    }
+
+    #[test]
+    fn one_sample_has_near_pairs_and_no_approach() {
+        let found = closeness(&motion(&[vec![(0.0, 0.0), (0.5, 0.0), (0.5, 0.5)]]), 0.6);
+        assert_eq!(found, Closeness { approaches: Vec::new(), near_count: 2 });
+    }
+
+    /// Motions of a few agents: in a common drift, mostly slow, sometimes in one place, sometimes with one who is far or fast.
+    fn motions() -> impl Strategy<Value = Motion> {
+        let at = || (-9i32..9, -9i32..9).prop_map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
+        let step = prop_oneof![8 => Just(0.02), 1 => Just(0.0), 1 => Just(2.0)];
+        (2usize..12, 1usize..24).prop_flat_map(move |(agents, samples)| {
+            let starts = prop::collection::vec(prop_oneof![9 => at(), 1 => at().prop_map(|p| 5e3 * p)], agents);
+            let ways = prop::collection::vec((at(), step.clone()), agents * samples);
+            (starts, ways, at()).prop_map(move |(starts, ways, drift)| {
+                let mut positions = starts;
+                for (k, (way, step)) in ways.into_iter().take(agents * (samples - 1)).enumerate() {
+                    positions.push(positions[k] + way * step + drift);
+                }
+                Motion::new((0..samples).map(|k| k as f64).collect(), agents, positions)
+            })
+        })
     }
 
     proptest! {
         #[test]
-        fn the_nearest_of_all_pairs_is_found(
-            samples in (2usize..9).prop_flat_map(|agents| prop::collection::vec(prop::collection::vec((-9.0..9.0f64, -9.0..9.0f64), agents), 2..5)),
-        ) {
-            let motion = motion(&samples);
-            for (k, found) in approaches(&motion).into_iter().enumerate() {
-                let piece = Piece { from: motion.sample(k), to: motion.sample(k + 1), times: [k as f64, k as f64 + 1.0] };
-                let agent_count = motion.agent_count() as u32;
-                let least = (0..agent_count)
-                    .flat_map(|a| (a + 1..agent_count).map(move |b| (a, b)))
-                    .map(|pair| piece.approach(pair).distance)
-                    .fold(f64::INFINITY, f64::min);
-                prop_assert_eq!(found.distance, least);
+        fn the_nearest_of_all_pairs_is_found(motion in motions(), limit in prop_oneof![Just(0.0), 0.0..3.0f64, Just(1e6)]) {
+            let agent_count = motion.agent_count() as u32;
+            let pairs: Vec<_> = (0..agent_count).flat_map(|a| (a + 1..agent_count).map(move |b| (a, b))).collect();
+            let found = closeness(&motion, limit);
+            for (k, approach) in found.approaches.iter().enumerate() {
+                let ends = [motion.sample(k), motion.sample(k + 1)];
+                let distance = |&pair: &(u32, u32)| { let (from, to) = apart(ends, pair); nearest_approach(from, to).0.sqrt() };
+                let least = pairs.iter().map(distance).fold(f64::INFINITY, f64::min);
+                prop_assert_eq!(approach.distance, least);
+                // The bounding pair may be as much above the least as a tie allows, and a lower pair above that.
+                let first = pairs.iter().find(|pair| distance(pair) <= least + 1e-12).unwrap();
+                prop_assert!(approach.agents <= *first && distance(&approach.agents) <= least + 2.0 * SAME_DISTANCE);
             }
+            let is_near = |k: usize, pair: (u32, u32)| apart([motion.sample(k); 2], pair).0.length_squared() < limit * limit;
+            let near = |k: usize| pairs.iter().filter(|pair| is_near(k, **pair)).count();
+            prop_assert_eq!(found.near_count, (0..motion.times().len()).map(near).sum::<usize>());
         }
     }
 }

@@ -3,12 +3,11 @@
 //! A [`Motion`] is samples and nothing else: it knows neither scenes nor methods, and between samples agents move straight.
 
 mod closest;
-mod pair_grid;
+mod pair_list;
 
 use glam::DVec2;
 
-pub use closest::{Approach, approaches};
-pub use pair_grid::PairGrid;
+pub use closest::{Approach, Closeness, closeness};
 
 /// Sample times nearer than this are one, seconds: round-off of frame / frame rate, far below any frame.
 const SAME_INSTANT: f64 = 1e-9;
