@@ -4,8 +4,10 @@
 //! `place` is where in the input: a field as `keyframes[2].positions[14]`, a line and column, a row; empty when it is the whole.
 
 mod code;
+mod words;
 
-use std::fmt::{self, Display, Formatter};
+pub use words::Counted;
+use words::{Listed, agents_there};
 
 use crate::scene::limits;
 
@@ -340,59 +342,4 @@ pub enum Error {
         /// How many are allowed.
         limit: usize,
     },
-}
-
-/// What a limit counts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Counted {
-    /// Agents of the scene.
-    Agents,
-    /// Keyframes of the scene.
-    Keyframes,
-    /// Agents × keyframes.
-    Positions,
-    /// Groups of the whole tree.
-    Groups,
-    /// Members of one group.
-    Members,
-    /// Ties of one list.
-    Ties,
-    /// Ties of all keyframes, groups expanded.
-    TiesInAll,
-    /// Cuts of one list.
-    Cuts,
-    /// Segments of the scene.
-    Segments,
-}
-
-impl Display for Counted {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Agents => "agents",
-            Self::Keyframes => "keyframes",
-            Self::Positions => "positions (agents × keyframes)",
-            Self::Groups => "groups",
-            Self::Members => "members of one group",
-            Self::Ties => "ties in one list",
-            Self::TiesInAll => "ties at all keyframes together, those of groups included",
-            Self::Cuts => "cuts in one list",
-            Self::Segments => "segments",
-        })
-    }
-}
-
-/// Words as a sentence lists them.
-struct Listed<'a>(&'a [&'static str]);
-
-impl Display for Listed<'_> {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        self.0.iter().enumerate().try_for_each(|(index, word)| write!(f, "{}\"{word}\"", if index == 0 { "" } else { ", " }))
-    }
-}
-
-fn agents_there(agent_count: usize) -> String {
-    match agent_count {
-        0 => "the scene has none".to_owned(),
-        count => format!("agents are 0 to {}", count - 1),
-    }
 }

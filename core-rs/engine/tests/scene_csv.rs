@@ -3,7 +3,7 @@
 mod support;
 
 use eigenform::error::Error;
-use eigenform::scene::{self, Group, Scene, read_csv, write_csv};
+use eigenform::scene::{self, Group, Scene, limits, read_csv, write_csv};
 use glam::DVec2;
 use proptest::prelude::*;
 use support::arbitrary_scene;
@@ -38,8 +38,10 @@ fn spelling_does_not_matter() {
     let cases = [
         ("a byte order mark", format!("\u{feff}{TWO_BY_TWO}")),
         ("carriage returns", TWO_BY_TWO.replace('\n', "\r\n")),
+        ("carriage returns alone", TWO_BY_TWO.replace('\n', "\r")),
         ("no last line end", TWO_BY_TWO.trim_end().to_owned()),
         ("empty lines", TWO_BY_TWO.replace('\n', "\n\n")),
+        ("empty rows of a spreadsheet", format!("{TWO_BY_TWO},,,,,\n \n")),
         ("quotes", TWO_BY_TWO.replace("Band", "\"Band\"").replace("2.5", "\"2.50\"")),
         ("white space", TWO_BY_TWO.replace(',', " , ")),
         ("capitals", TWO_BY_TWO.replace("keyframe,time,agent,group,x,y", "Keyframe,TIME,Agent,Group,X,Y")),
@@ -106,6 +108,8 @@ fn every_refusal_names_its_row() {
                    \"keyframe\", \"time\", \"agent\", \"group\", \"x\", \"y\", \"z\", \"name\", \"color\"";
     check("keyframe,time,agent,group,x,y,speed\n", "unknown-column", "row 1", unknown);
     check("x,time,agent,group,x,y\n", "repeated-column", "row 1", "there are two columns \"x\"; each occurs once");
+    check(&row("\n\n1,2.5,a"), "cut-row", "row 8", "row 8 has 3 fields; like the first row it must have 6");
+    check(&row("1,2.5,a").replace('\n', "\r\n"), "cut-row", "row 6", "row 6 has 3 fields; like the first row it must have 6");
     check(&row("1,2.5,a"), "cut-row", "row 6", "row 6 has 3 fields; like the first row it must have 6");
     let twice = "row 6 gives agent a twice in keyframe 1; each agent has one row a keyframe";
     check(&row("1,2.5,a,,0,0"), "repeated-row", "row 6", twice);
@@ -148,7 +152,12 @@ fn limits_hold_at_the_row_that_breaks_them() {
         assert_eq!(error.code(), code);
         assert!(error.place().starts_with("row "), "{}", error.place());
     }
-    let large = " ".repeat(scene::limits::FILE_BYTES + 1);
+    let padded = |length: usize| TWO_BY_TWO.replace("0,0,a,", &format!("0,0,a{},", " ".repeat(length - "0,0,a,Band,0,1".len())));
+    for length in [limits::ROW_CHARACTERS - 1, limits::ROW_CHARACTERS] {
+        assert_eq!(read(&padded(length)), read(TWO_BY_TWO));
+    }
+    check(&padded(limits::ROW_CHARACTERS + 1), "too-long", "row 2", "10001 characters; at most 10000");
+    let large = " ".repeat(limits::FILE_BYTES + 1);
     assert!(matches!(read_csv(&large), Err(Error::FileTooLarge { .. })));
 }
 

@@ -4,7 +4,8 @@ mod support;
 
 use std::sync::Arc;
 
-use eigenform::scene::{self, document, read_json, write_json};
+use eigenform::formation::Formation;
+use eigenform::scene::{self, Scene, document, read_json, write_json};
 use glam::DVec2;
 use proptest::prelude::*;
 use support::arbitrary_scene;
@@ -39,5 +40,25 @@ proptest! {
         for (keyframe, formation) in read.unwrap().tracks[0].keyframes.iter().zip(&formations) {
             prop_assert!(Arc::ptr_eq(&keyframe.positions, formation));
         }
+    }
+}
+
+#[test]
+fn a_page_document_has_a_formation_for_every_keyframe_and_no_positions() {
+    let scene = Scene::default();
+    let whole = document::write(&scene);
+    let rest = whole.replace("\"positions\":[],", "");
+    let formation = Arc::clone(&scene.main_track().keyframes[0].positions);
+    assert_eq!(document::read(&rest, vec![Arc::clone(&formation)]), Ok(scene));
+    let cases = [
+        (rest.clone(), vec![], "wrong-count"),
+        (rest.clone(), vec![Arc::clone(&formation); 2], "wrong-count"),
+        (rest.clone(), vec![Arc::new(Formation::new(vec![DVec2::ZERO]))], "wrong-count"),
+        (whole, vec![Arc::clone(&formation)], "invalid-json"),
+        (rest.replace("\"tracks\":[", "\"tracks\":[],\"x\":["), vec![Arc::clone(&formation)], "invalid-json"),
+        (rest.replace("30.0", "500.0"), vec![formation], "out-of-range"),
+    ];
+    for (rest, formations, code) in cases {
+        assert_eq!(document::read(&rest, formations).expect_err(&rest).code(), code, "{rest}");
     }
 }

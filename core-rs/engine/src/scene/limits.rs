@@ -12,7 +12,7 @@ pub const FILE_BYTES: usize = 64 << 20;
 /// Agents: the eigenbasis of one keyframe takes n² doubles, 200 MB at this size.
 pub const AGENTS: usize = 5_000;
 
-/// Keyframes: twice the sets of the longest marching shows.
+/// Keyframes: a formation every few seconds for the longest show.
 pub const KEYFRAMES: usize = 200;
 
 /// Agents × keyframes: what undo copies and a link carries.
@@ -44,6 +44,9 @@ pub const GROUP_DEPTH: usize = 8;
 
 /// Characters of the name of an agent, group or keyframe.
 pub const NAME_CHARACTERS: usize = 64;
+
+/// Characters of a row of keyframe CSV: numbers without exponents, names and a path of groups fit many times.
+pub const ROW_CHARACTERS: usize = 10_000;
 
 /// Characters of the title.
 pub const TITLE_CHARACTERS: usize = 200;

@@ -37,9 +37,9 @@ impl Columns {
         }
     }
 
-    /// A row of as many fields as the header.
-    pub(super) fn row<'a>(&'a self, record: &'a StringRecord) -> Result<Row<'a>, Error> {
-        let row = Row { number: record.position().map_or(0, csv::Position::line), columns: self, record };
+    /// A row of as many fields as the header; its `number` is for refusals.
+    pub(super) fn row<'a>(&'a self, record: &'a StringRecord, number: u64) -> Result<Row<'a>, Error> {
+        let row = Row { number, columns: self, record };
         if record.len() == self.count { Ok(row) } else { Err(Error::CutRow { row: row.number, found: record.len(), expected: self.count }) }
     }
 }
