@@ -154,15 +154,32 @@ function answer<Name extends CallName>(id: number, name: Name, ask: Calls[Name][
   }
 }
 
+/**
+ * Holds a lock until this worker dies, however it dies: the page waits for the same one.
+ *
+ * The page asks as soon as it hears of the start, so the start waits for the lock: on a busy machine the page's
+ * question would overtake this one, and a lock that comes free reads as a death.
+ */
+function hold(lock: string): Promise<void> {
+  return new Promise((resolve) => {
+    if (!navigator.locks) {
+      resolve();
+      return;
+    }
+    void navigator.locks.request(lock, () => {
+      resolve();
+      return new Promise(() => {});
+    });
+  });
+}
+
 self.onmessage = async ({ data }: MessageEvent<Question>) => {
   if (data.kind === "call") {
     answer(data.id, data.name, data.ask);
     return;
   }
   try {
-    // Held until this worker dies, however it dies: the page waits for the same lock.
-    void navigator.locks?.request(data.lock, () => new Promise(() => {}));
-    await init({ module_or_path: data.module });
+    await Promise.all([hold(data.lock), init({ module_or_path: data.module })]);
     engine = new Engine();
     post({ kind: "started" });
   } catch (error) {
