@@ -18,7 +18,7 @@ test("no length is too long for a browser", () => {
 });
 
 test("a longer link stands further along the meter, and never beyond its ends", () => {
-  const places = [1, 500, 900, 1200, 2000, 4000, 33_000, 500_000].map(meterPlace);
+  const places = [1, 300, 900, 1200, 2000, 4000, 33_000, 500_000].map(meterPlace);
   expect(places).toEqual([...places].sort((a, b) => a - b));
   expect(places.at(0)).toBe(0);
   expect(places.at(-1)).toBe(1);

@@ -16,7 +16,7 @@ export const LINK_LIMITS: readonly LinkLimit[] = [
 ];
 
 /** Ends of the meter, characters. */
-const SHORTEST = 500;
+const SHORTEST = 300;
 const LONGEST = 33_000;
 
 /** Where a length stands on the meter, 0..1, by its logarithm. */
