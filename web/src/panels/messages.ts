@@ -30,7 +30,9 @@ export function createMessages(): Messages {
     announcement,
     say(message) {
       last += 1;
-      shown.value = [...shown.value.slice(-2), { actions: [], ...message, id: last }];
+      // The same thing said again moves down instead of piling up.
+      const others = shown.value.filter((other) => other.title !== message.title || other.text !== message.text);
+      shown.value = [...others.slice(-2), { actions: [], ...message, id: last }];
       announcement.value = `${message.title} ${message.text}`;
       return last;
     },

@@ -11,6 +11,8 @@ export function NumberBox(props: {
   quantity: Quantity;
   /** A letter before the number, in a box without a row of its own. */
   prefix?: string;
+  /** The unit is said beside the box, which has no room for it. */
+  isUnitBeside?: boolean;
   isDisabled?: boolean;
   /** Taken over while it is typed: for settings, which are not undone. */
   isLive?: boolean;
@@ -69,7 +71,7 @@ export function NumberBox(props: {
           props.onCommit(stepped(quantity, from, steps));
         }}
       />
-      {quantity.unit && <span class="unit">{quantity.unit}</span>}
+      {quantity.unit && !props.isUnitBeside && <span class="unit">{quantity.unit}</span>}
     </label>
   );
 }

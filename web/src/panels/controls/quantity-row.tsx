@@ -20,7 +20,7 @@ export function QuantityRow(props: {
   const gesture = useGesture();
   return (
     <Row label={props.shortLabel ?? props.label} {...(props.note ? { note: props.note } : {})}>
-      <span class="quantity">
+      <span class={props.quantity.unit.length > 3 ? "quantity wide" : "quantity"}>
         <Slider
           label={props.label}
           value={props.value}

@@ -1,4 +1,5 @@
 import { useState } from "preact/hooks";
+import { mainTrack } from "../../document/scene";
 import { formatAngle, formatLength, formatNumber } from "../../document/units";
 import type { SegmentReport } from "../../engine/api";
 import { status } from "../status";
@@ -7,8 +8,12 @@ import { allOfThem, bestOfEach, type CandidateRow } from "./candidate-rows";
 import { Section } from "./section";
 import { methodWord } from "./words";
 
+/** Above this auto tries fewer. */
+const MANY_AGENTS = 400;
+
 /** The methods that were tried and what was measured of each: the table from which auto chose. */
 export function Candidates({ report, isAuto }: { report: SegmentReport; isAuto: boolean }) {
+  const { document } = useStudio();
   const [isWhole, setWhole] = useState(false);
   const { candidates } = report;
   if (candidates.length === 0) return null;
@@ -32,6 +37,11 @@ export function Candidates({ report, isAuto }: { report: SegmentReport; isAuto: 
           ))}
         </tbody>
       </table>
+      {isAuto && mainTrack(document.scene.value).agents.length > MANY_AGENTS && (
+        <p class="inspector-text candidates-note">
+          With more than {MANY_AGENTS} agents auto tries these {candidates.length} only.
+        </p>
+      )}
       {rows.length < candidates.length || isWhole ? (
         <button
           type="button"

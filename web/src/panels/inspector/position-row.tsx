@@ -7,7 +7,7 @@ import { metersPer } from "../../document/units";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
 import { useStudio } from "../studio";
-import { coordinateQuantity } from "./quantities";
+import { coordinateQuantity, isLongUnit } from "./quantities";
 
 /** Where agents stand at the keyframe being edited; the middle of their box when they are several. */
 export function PositionRow({ agents, label }: { agents: ReadonlySet<number>; label: string }) {
@@ -31,14 +31,17 @@ export function PositionRow({ agents, label }: { agents: ReadonlySet<number>; la
     );
   }
 
+  const isUnitBeside = isLongUnit(units);
+  const where = `at ${keyframeLabel(scene, keyframe)}`;
   return (
-    <Row label={label} note={`at ${keyframeLabel(scene, keyframe)}`}>
+    <Row label={label} note={isUnitBeside ? `${units}, ${where}` : where}>
       <span class="pair">
         <NumberBox
           label="x"
           prefix="x"
           value={x / per}
           quantity={quantity}
+          isUnitBeside={isUnitBeside}
           onCommit={(value) => move([value * per, y])}
         />
         <NumberBox
@@ -46,6 +49,7 @@ export function PositionRow({ agents, label }: { agents: ReadonlySet<number>; la
           prefix="y"
           value={y / per}
           quantity={quantity}
+          isUnitBeside={isUnitBeside}
           onCommit={(value) => move([x, value * per])}
         />
       </span>

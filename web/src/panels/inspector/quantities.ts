@@ -3,6 +3,11 @@ import type { Units } from "../../document/scene";
 import { formatNumber, metersPer, parseLength, parseNumber } from "../../document/units";
 import type { Quantity } from "../controls/quantity";
 
+/** Whether a unit is too long a word to stand in a small box. */
+export function isLongUnit(units: Units): boolean {
+  return units.length > 3;
+}
+
 /** A length in the scene's units. */
 export function lengthQuantity(units: Units, bounds: { min: number; max: number; step: number }): Quantity {
   return {

@@ -11,7 +11,7 @@ import { useStudio } from "../studio";
 import { GroupList } from "./group-list";
 import { Head } from "./head";
 import { MinimumDistanceRow } from "./minimum-distance-row";
-import { sizeQuantity, wholeQuantity } from "./quantities";
+import { isLongUnit, sizeQuantity, wholeQuantity } from "./quantities";
 import { Section } from "./section";
 
 const BACKDROPS: readonly { value: Backdrop; label: string }[] = [
@@ -112,14 +112,16 @@ function SizeRow() {
   const { stage } = document.scene.value;
   const per = metersPer(stage.units);
   const quantity = sizeQuantity(stage.units);
+  const isUnitBeside = isLongUnit(stage.units);
   return (
-    <Row label="Size">
+    <Row label="Size" {...(isUnitBeside ? { note: stage.units } : {})}>
       <span class="pair">
         <NumberBox
           label="Stage width"
           prefix="w"
           value={stage.width / per}
           quantity={quantity}
+          isUnitBeside={isUnitBeside}
           onCommit={(width) => document.perform(setStage({ width: width * per }))}
         />
         <NumberBox
@@ -127,6 +129,7 @@ function SizeRow() {
           prefix="d"
           value={stage.depth / per}
           quantity={quantity}
+          isUnitBeside={isUnitBeside}
           onCommit={(depth) => document.perform(setStage({ depth: depth * per }))}
         />
       </span>

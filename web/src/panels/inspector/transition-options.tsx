@@ -1,12 +1,13 @@
 import { setTransition } from "../../document/commands/transitions";
-import type { Choice, Segment } from "../../document/scene";
+import { type Choice, mainTrack, type Segment } from "../../document/scene";
+import { WordAction } from "../action-button";
 import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
 import { Select } from "../controls/select";
 import { Switch } from "../controls/switch";
 import { useStudio } from "../studio";
 import { MinimumDistanceRow } from "./minimum-distance-row";
-import { type OptionsShown, optionsShown, takenOver } from "./options-shown";
+import { optionsShown, takenOver } from "./options-shown";
 import { SHARING } from "./quantities";
 import { ALIGNMENTS, METHODS, methodWord, ORDERS, TIMINGS } from "./words";
 
@@ -68,18 +69,18 @@ export function TransitionOptions(props: { index: number; segment: Segment; choi
           onChoose={(timing) => document.perform(setTransition(index, { timing }))}
         />
       </Row>
-      {shown.hasKeepSize && <KeepSize index={index} segment={segment} shown={shown} />}
+      {shown.hasKeepSize && (
+        <Switch
+          label="Keep the size"
+          isOn={segment.keepSize}
+          onToggle={(keepSize) => document.perform(setTransition(index, { keepSize }))}
+        />
+      )}
+      {mainTrack(document.scene.value).segments.length > 1 && (
+        <WordAction id="use-everywhere" class="button quiet use-everywhere">
+          Use for every transition
+        </WordAction>
+      )}
     </>
-  );
-}
-
-function KeepSize({ index, segment }: { index: number; segment: Segment; shown: OptionsShown }) {
-  const { document } = useStudio();
-  return (
-    <Switch
-      label="Keep the size"
-      isOn={segment.keepSize}
-      onToggle={(keepSize) => document.perform(setTransition(index, { keepSize }))}
-    />
   );
 }
