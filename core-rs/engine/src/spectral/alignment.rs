@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::angle::wrap;
+use super::angle::{HALF_TURN_SNAP, wrap};
 use crate::choice::Alignment;
 use crate::formation::Formation;
 
@@ -28,7 +28,7 @@ fn procrustes(correlation: &Correlation) -> f64 {
     if correlation.along.hypot(correlation.across) <= UNRELATED * correlation.scale {
         return 0.0;
     }
-    wrap(correlation.across.atan2(correlation.along))
+    wrap(correlation.across.atan2(correlation.along), HALF_TURN_SNAP)
 }
 
 /// The turn between the principal axes; of its two directions the one that brings the agents nearer to their targets.
@@ -37,8 +37,8 @@ fn principal(source: &Formation, target: &Formation) -> f64 {
     let (Some(from), Some(to)) = (axis_angle(source), axis_angle(target)) else {
         return procrustes(&correlation);
     };
-    let ahead = wrap(to - from);
-    let behind = wrap(to - from + PI);
+    let ahead = wrap(to - from, HALF_TURN_SNAP);
+    let behind = wrap(to - from + PI, HALF_TURN_SNAP);
     let gain = correlation.along * ahead.cos() + correlation.across * ahead.sin();
     if gain.abs() <= UNRELATED * correlation.scale {
         // Both fit equally well: the shorter way, so that the answer does not hang on where the axes of the stage point.

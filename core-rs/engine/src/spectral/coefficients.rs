@@ -2,10 +2,13 @@
 
 use glam::DVec2;
 
-use super::angle::wrap;
+use super::angle::{HALF_TURN_SNAP, wrap};
 
 /// Radii at most this, relative to the greatest, have no direction.
 const TINY_RADIUS: f64 = 1e-7;
+
+/// Round-off of a coefficient, relative to the greatest radius: the angle of a small one is uncertain by this over its own radius.
+const ROUND_OFF: f64 = 1e-13;
 
 /// One curve a mode in polar coordinates: radii linear, angles along the shorter way once the common turn is taken out
 /// (paper A, equation 4).
@@ -28,7 +31,7 @@ impl Coefficients {
     pub(crate) fn between(source: &[DVec2], target: &[DVec2], turn: f64) -> Self {
         assert_eq!(source.len(), target.len(), "both ends have the same modes");
         let greatest = source.iter().chain(target).map(|c| c.length()).fold(0.0, f64::max);
-        let curves = source.iter().zip(target).map(|(from, to)| Curve::between(*from, *to, turn, TINY_RADIUS * greatest)).collect();
+        let curves = source.iter().zip(target).map(|(from, to)| Curve::between(*from, *to, turn, greatest)).collect();
         Self { curves, sizes: None }
     }
 
@@ -65,15 +68,15 @@ impl Coefficients {
 }
 
 impl Curve {
-    fn between(from: DVec2, to: DVec2, common: f64, tiny: f64) -> Self {
+    fn between(from: DVec2, to: DVec2, common: f64, greatest: f64) -> Self {
         let radii = [from.length(), to.length()];
+        let least = radii[0].min(radii[1]);
         let (mut angle, end) = (from.to_angle(), to.to_angle());
-        let mut turn = common + wrap(end - angle - common);
-        if radii[0] <= tiny || radii[1] <= tiny {
-            turn = common;
-            if radii[0] <= tiny {
-                angle = end - common;
-            }
+        let mut turn = common;
+        if least > TINY_RADIUS * greatest {
+            turn += wrap(end - angle - common, f64::max(HALF_TURN_SNAP, ROUND_OFF * greatest / least));
+        } else if radii[0] <= TINY_RADIUS * greatest {
+            angle = end - common;
         }
         let mut curve = Self { radii, angle, turn, residuals: [DVec2::ZERO; 2] };
         // What a direction of noise leaves open at the ends; round-off elsewhere.

@@ -7,9 +7,7 @@ use super::dense::product;
 use super::matching::{EQUAL_LIKENESS, Pairing};
 use super::pair::Pair;
 use super::planes::Planes;
-
-/// Inner products below this have no sign of their own: symmetric formations make them exactly zero up to round-off.
-const NO_SIGN: f64 = 1e-9;
+use super::signs::NO_SIGN;
 
 /// The rotation R of paper A, equation 2, ready to be taken to any power.
 #[derive(Clone, Debug)]
@@ -21,27 +19,7 @@ pub(crate) struct Matched {
 }
 
 impl Matched {
-    /// Which target modes are reversed before they are matched, after `turn` (radians) is taken out of the target.
-    ///
-    /// Only where an inner product is zero does the turn matter; alignments that reverse the same modes share a [`Matched`].
-    pub(crate) fn reversals(pair: &Pair, pairing: &Pairing, turn: f64) -> Vec<bool> {
-        let back = DVec2::from_angle(-turn);
-        pairing
-            .targets()
-            .iter()
-            .enumerate()
-            .map(|(source, &target)| {
-                let likeness = pair.likeness()[(source, target)];
-                if likeness.abs() < NO_SIGN {
-                    pair.source_coefficients()[source].dot(back.rotate(pair.target_coefficients()[target])) < 0.0
-                } else {
-                    likeness < 0.0
-                }
-            })
-            .collect()
-    }
-
-    /// Matches the bases and finds the rotation planes, in O(n³). `reversals` come from [`Self::reversals`].
+    /// Matches the bases and finds the rotation planes, in O(n³). `reversals` come from [`super::reversals`].
     ///
     /// A rotation by degrees needs determinant +1: where it is −1 the target mode least like its source is reversed once more.
     pub(crate) fn new(pair: &Pair, pairing: &Pairing, mut reversals: Vec<bool>) -> Self {
@@ -91,8 +69,10 @@ fn paired(likeness: MatRef<'_, f64>, targets: &[usize], reversals: &[bool]) -> M
     })
 }
 
+/// Of equals the lowest index. Inner products without a sign are all zero, else round-off would choose among them.
 fn least_like(likeness: MatRef<'_, f64>, targets: &[usize]) -> usize {
-    let amounts: Vec<f64> = targets.iter().enumerate().map(|(source, &target)| likeness[(source, target)].abs()).collect();
+    let amount = |(source, &target): (usize, &usize)| likeness[(source, target)].abs();
+    let amounts: Vec<f64> = targets.iter().enumerate().map(amount).map(|a| if a < NO_SIGN { 0.0 } else { a }).collect();
     let least = amounts.iter().copied().fold(f64::INFINITY, f64::min);
     amounts.iter().position(|amount| *amount <= least + EQUAL_LIKENESS).unwrap_or(0)
 }

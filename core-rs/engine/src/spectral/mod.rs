@@ -12,7 +12,6 @@ mod coefficients;
 mod degenerate;
 mod dense;
 mod eigenbasis;
-mod hungarian;
 mod invariant;
 mod matched;
 mod matching;
@@ -21,6 +20,7 @@ mod pair;
 mod planes;
 mod polar_factor;
 mod runs;
+mod signs;
 
 pub use eigenbasis::Eigenbasis;
 
@@ -31,3 +31,4 @@ pub(crate) use dense::product_into;
 pub(crate) use matched::Matched;
 pub(crate) use matching::Pairing;
 pub(crate) use pair::Pair;
+pub(crate) use signs::reversals;

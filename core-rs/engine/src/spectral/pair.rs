@@ -16,6 +16,7 @@ use crate::formation::Formation;
 #[derive(Clone, Debug)]
 pub(crate) struct Pair {
     source: Arc<Eigenbasis>,
+    target: Arc<Eigenbasis>,
     likeness: Mat<f64>,
     source_coefficients: Vec<DVec2>,
     target_coefficients: Vec<DVec2>,
@@ -23,17 +24,17 @@ pub(crate) struct Pair {
 
 impl Pair {
     /// From bases that differ in every eigenvalue.
-    pub(crate) fn of_simple(formations: [&Formation; 2], source: Arc<Eigenbasis>, target: &Eigenbasis) -> Self {
+    pub(crate) fn of_simple(formations: [&Formation; 2], source: Arc<Eigenbasis>, target: Arc<Eigenbasis>) -> Self {
         let likeness = product(source.modes().transpose(), target.modes());
         let source_coefficients = source.coefficients(formations[0]);
         let target_coefficients = target.coefficients(formations[1]);
-        Self { source, likeness, source_coefficients, target_coefficients }
+        Self { source, target, likeness, source_coefficients, target_coefficients }
     }
 
     /// From bases of graphs with the tie-break mixed in: blocks equal even then are turned to fit the source.
     pub(crate) fn of_tie_broken(formations: [&Formation; 2], source: Arc<Eigenbasis>, target: &Eigenbasis) -> Self {
         let target = turned_to(&source, target);
-        Self::of_simple(formations, source, &target)
+        Self::of_simple(formations, source, Arc::new(target))
     }
 
     /// How many modes there are beside the constant one.
@@ -44,6 +45,11 @@ impl Pair {
     /// The source modes, agents × modes.
     pub(super) fn source_modes(&self) -> MatRef<'_, f64> {
         self.source.modes()
+    }
+
+    /// The target modes as they come, agents × modes.
+    pub(super) fn target_modes(&self) -> MatRef<'_, f64> {
+        self.target.modes()
     }
 
     /// Inner products: row = source mode, column = target mode.

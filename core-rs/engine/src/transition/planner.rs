@@ -10,7 +10,7 @@ use super::shared::Shared;
 use super::spectral::Spectral;
 use super::{Ends, Transition};
 use crate::choice::{Choice, MethodName, Order};
-use crate::spectral::{Eigenbasis, Matched, Pair, Pairing, is_degenerate, nearness, turn_between, with_tie_break};
+use crate::spectral::{Eigenbasis, Matched, Pair, Pairing, is_degenerate, nearness, reversals, turn_between, with_tie_break};
 
 /// The work of one segment, each piece done once however many choices are tried.
 ///
@@ -104,7 +104,7 @@ impl Planner {
         };
         let formations = self.ends.formations();
         let turn = turn_between(formations[0], formations[1], choice.alignment);
-        let reversals = Matched::reversals(pair, pairing, turn);
+        let reversals = reversals(pair, pairing, formations, turn);
         if let Some(known) = self.matched.iter().find(|known| known.order == choice.order && known.reversals == reversals) {
             return Some(known.matched.clone());
         }
@@ -123,7 +123,7 @@ impl Planner {
             return;
         };
         if !is_degenerate(source.eigenvalues()) && !is_degenerate(target.eigenvalues()) {
-            self.pair = Some(Pair::of_simple(self.ends.formations(), source, &target));
+            self.pair = Some(Pair::of_simple(self.ends.formations(), source, target));
             return;
         }
         let ends = &self.ends;

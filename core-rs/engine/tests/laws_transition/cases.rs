@@ -20,11 +20,13 @@ pub struct Case {
     pub source: Vec<DVec2>,
     pub target: Vec<DVec2>,
     pub spec: AdjacencySpec,
+    pub is_symmetric: bool,
+    pub is_in_step: bool,
 }
 
 impl Case {
     pub fn new(name: impl Into<String>, source: Vec<DVec2>, target: Vec<DVec2>) -> Self {
-        Self { name: name.into(), source, target, spec: AdjacencySpec::default() }
+        Self { name: name.into(), source, target, spec: AdjacencySpec::default(), is_symmetric: false, is_in_step: false }
     }
 
     pub fn extent(&self) -> f64 {
@@ -114,19 +116,38 @@ pub fn generic() -> Vec<Case> {
     all
 }
 
-/// Symmetric at one end or both: eigenvalues repeat.
+/// Symmetric at one end or both, so that eigenvalues repeat, but no symmetry takes both ends to themselves.
 pub fn symmetric() -> Vec<Case> {
-    vec![
-        Case::new("ring of 12 to a block", ring(12, 6.0, 0.1), grid(4, 3)),
-        Case::new("block to ring of 12", grid(4, 3), ring(12, 6.0, 0.1)),
-        Case::new("ring of 12 to a line", ring(12, 6.0, 0.3), line(12, DVec2::new(1.0, 0.2))),
+    let cases = vec![
+        Case::new("ring of 12 to a block", ring(12, 6.0, 0.1), shuffled(&grid(4, 3))),
+        Case::new("block to ring of 12", grid(4, 3), shuffled(&ring(12, 6.0, 0.1))),
+        Case::new("ring of 12 to a line", ring(12, 6.0, 0.3), shuffled(&line(12, DVec2::new(1.0, 0.2)))),
+        Case::new("ring of 12 to a ring", ring(12, 6.0, 0.3), shuffled(&ring(12, 4.0, 1.0))),
+        Case::new("ring of 15 to a scatter", ring(15, 6.0, 0.0), scattered(15, 8)),
         Case::new("square block to a scatter", grid(5, 5), scattered(25, 9)),
-        Case::new(
-            "square block to a square block, sheared",
-            grid(4, 4),
-            grid(4, 4).iter().map(|p| DVec2::new(p.x + 0.5 * p.y, p.y)).collect(),
-        ),
-    ]
+        Case::new("square block to a turned square block", grid(5, 5), turned(&shuffled(&grid(5, 5)), 0.3)),
+    ];
+    cases.into_iter().map(|case| Case { is_symmetric: true, ..case }).collect()
+}
+
+/// A symmetry takes both ends to themselves. Modes turn by half turns then, which have no mirror image and no way back, and the
+/// eigenvalue order pairs modes that the symmetry reverses with modes that it keeps: nothing in the formations tells their signs.
+pub fn symmetric_in_step() -> Vec<Case> {
+    let cases = vec![
+        Case::new("ring of 12 to a block, in step", ring(12, 6.0, 0.1), grid(4, 3)),
+        Case::new("block to ring of 12, in step", grid(4, 3), ring(12, 6.0, 0.1)),
+        Case::new("ring of 12 to a line, in step", ring(12, 6.0, 0.3), line(12, DVec2::new(1.0, 0.2))),
+        Case::new("ring of 12 to a smaller one", ring(12, 6.0, 0.3), ring(12, 4.0, 1.0)),
+        Case::new("square block, sheared", grid(4, 4), grid(4, 4).iter().map(|p| DVec2::new(p.x + 0.5 * p.y, p.y)).collect()),
+    ];
+    cases.into_iter().map(|case| Case { is_symmetric: true, is_in_step: true, ..case }).collect()
+}
+
+/// The same places with other agents in them, in an order of no symmetry.
+fn shuffled(points: &[DVec2]) -> Vec<DVec2> {
+    let mut order: Vec<(DVec2, DVec2)> = scattered(points.len(), 77).into_iter().zip(points.iter().copied()).collect();
+    order.sort_by(|(p, _), (q, _)| p.x.total_cmp(&q.x));
+    order.into_iter().map(|(_, point)| point).collect()
 }
 
 /// What people do by accident.
@@ -172,5 +193,5 @@ pub fn degenerate() -> Vec<Case> {
 }
 
 pub fn all_cases() -> Vec<Case> {
-    [generic(), symmetric(), degenerate()].concat()
+    [generic(), symmetric(), symmetric_in_step(), degenerate()].concat()
 }

@@ -1,4 +1,10 @@
 //! The laws of the methods that make one formation from another, for every method, order, alignment and sharing.
 
 mod cases;
+#[path = "../common/mod.rs"]
+mod common;
 mod ends;
+mod inside;
+mod reversal;
+mod symmetry;
+mod turns;
