@@ -1,4 +1,6 @@
 import { useState } from "preact/hooks";
+import { useStudio } from "../studio";
+import { undidScene } from "./field-undo";
 import { clampTo, type Quantity, stepped, stepsOf } from "./quantity";
 
 /**
@@ -19,6 +21,7 @@ export function NumberBox(props: {
   describedBy?: string | undefined;
   onCommit(value: number): void;
 }) {
+  const { actions } = useStudio();
   const { value, quantity } = props;
   const [draft, setDraft] = useState<string | null>(null);
   const isInvalid = draft !== null && quantity.parse(draft) === null;
@@ -58,6 +61,7 @@ export function NumberBox(props: {
         }}
         onBlur={commit}
         onKeyDown={(event) => {
+          if (draft === null && undidScene(event, actions)) return;
           if (event.key === "Enter") commit();
           if (event.key === "Escape") setDraft(null);
           const steps =

@@ -1,4 +1,6 @@
 import { useState } from "preact/hooks";
+import { useStudio } from "../studio";
+import { undidScene } from "./field-undo";
 
 /** A line of text, taken over on Enter and on leaving; Escape leaves it as it was. */
 export function TextBox(props: {
@@ -8,6 +10,7 @@ export function TextBox(props: {
   maxLength: number;
   onCommit(text: string): void;
 }) {
+  const { actions } = useStudio();
   const [draft, setDraft] = useState<string | null>(null);
   function commit(): void {
     setDraft(null);
@@ -25,6 +28,7 @@ export function TextBox(props: {
       onInput={(event) => setDraft(event.currentTarget.value)}
       onBlur={commit}
       onKeyDown={(event) => {
+        if (draft === null && undidScene(event, actions)) return;
         if (event.key === "Enter") commit();
         if (event.key === "Escape") setDraft(null);
       }}
