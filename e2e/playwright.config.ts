@@ -1,6 +1,9 @@
 import { defineConfig, devices } from "@playwright/test";
 
 const executablePath = process.env.EIGENFORM_BROWSER ?? "/usr/bin/chromium";
+/** Two runs beside each other need a port each. */
+const port = Number(process.env.EIGENFORM_PORT ?? 4180);
+const baseURL = `http://127.0.0.1:${port}`;
 const launchOptions = {
   executablePath,
   args: [
@@ -21,13 +24,15 @@ export default defineConfig({
   workers: 2,
   retries: 0,
   forbidOnly: true,
-  timeout: 60_000,
+  timeout: 120_000,
+  // A story waits for what it wants to see and never for a time, so a slow machine may take its own.
+  expect: { timeout: 20_000 },
   reporter: [["list"]],
-  use: { baseURL: "http://127.0.0.1:4180", launchOptions, trace: "retain-on-failure" },
+  use: { baseURL, launchOptions, trace: "retain-on-failure" },
   webServer: {
-    command: "npx vite preview --host 127.0.0.1 --port 4180 --strictPort",
+    command: `npx vite preview --host 127.0.0.1 --port ${port} --strictPort`,
     cwd: "..",
-    url: "http://127.0.0.1:4180",
+    url: baseURL,
     reuseExistingServer: false,
   },
   projects: [
