@@ -64,12 +64,13 @@ export function Layout({ parts }: { parts: Parts }) {
   );
 }
 
-/** Whether the stage has been empty since the page was opened: whoever starts there may want a hint. */
+/** Whether the person has emptied the stage to start on: whoever does may want a hint. The page itself begins empty. */
 function useHasBegunEmpty(): ReadonlySignal<boolean> {
   const { document } = useStudio();
   const hasBegun = useSignal(false);
   useSignalEffect(() => {
-    if (mainTrack(document.scene.value).agents.length === 0) hasBegun.value = true;
+    const isEmpty = mainTrack(document.scene.value).agents.length === 0;
+    if (isEmpty && document.undoLabel.value !== null) hasBegun.value = true;
   });
   return hasBegun;
 }
