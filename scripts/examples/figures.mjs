@@ -68,7 +68,7 @@ export function fourAroundOne() {
   const after = { Five: moved(turned(plus, 135), 3, 2), Others: others };
   const sections = [
     { name: "Five", count: 5, prefix: "F" },
-    { name: "Others", count: 12, prefix: "O", color: "#1d2a3a" },
+    { name: "Others", count: 12, prefix: "O", isLoose: true },
   ];
   const ties = [1, 2, 3, 4].map((agent) => [0, agent, 10]);
   const loose = {};
