@@ -14,7 +14,7 @@ import { type ArrivalParts, arrive, hasAgents, linkIn, openLink } from "./files/
 import { withChosen } from "./files/chosen";
 import { download, fileName } from "./files/download";
 import { attachDrop, pickFile } from "./files/drop";
-import { EXAMPLES, FIRST_EXAMPLE, loadPreviews, readExample } from "./files/examples";
+import { FIRST_EXAMPLE, readExample } from "./files/examples";
 import { createIntake, problemFrom, sentence } from "./files/intake";
 import { keepScene } from "./files/keep";
 import { attachClipboard, createAgentClipboard } from "./panels/clipboard-actions";
@@ -97,8 +97,7 @@ async function save(): Promise<void> {
 
 const sceneToShare = () => withChosen(store.scene.peek(), planner.segments.peek());
 
-async function openExample(id: string): Promise<void> {
-  const title = EXAMPLES.find((example) => example.id === id)?.title ?? "The example";
+async function openExample({ id, title }: { readonly id: string; readonly title: string }): Promise<void> {
   try {
     const opened = await intake.read(await readExample(id), title);
     if (!opened) return;
@@ -146,8 +145,8 @@ const studio: Studio = { document: store, playback, view, planner, engine, toolb
 const services: DialogServices = {
   address: location.origin + location.pathname,
   sceneToShare,
-  examples: EXAMPLES,
-  loadPreviews,
+  loadExamples: async () => (await import("./files/gallery")).EXAMPLES,
+  loadPreviews: async () => (await import("./files/gallery")).loadPreviews(),
   openExample,
   saveFile,
 };

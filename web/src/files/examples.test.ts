@@ -1,7 +1,8 @@
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { describe, expect, test } from "vitest";
-import { EXAMPLES, FIRST_EXAMPLE, unpack } from "./examples";
+import { FIRST_EXAMPLE } from "./examples";
+import { EXAMPLES, unpack } from "./gallery";
 
 interface SceneFile {
   readonly title: string;

@@ -7,6 +7,7 @@ import { useAnswer } from "./use-answer";
 
 /** Scenes to start from, each shown in motion. */
 export function ExamplesDialog({ services, dialogs }: DialogProps) {
+  const examples = useAnswer(services.loadExamples);
   const previews = useAnswer(services.loadPreviews);
   return (
     <Frame
@@ -21,7 +22,7 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
         </p>
       )}
       <ul class="gallery">
-        {services.examples.map((example, index) => (
+        {(examples.kind === "here" ? examples.value : []).map((example, index) => (
           <li key={example.id}>
             <ExampleTile
               example={example}
@@ -29,7 +30,7 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
               preview={(previews.kind === "here" && previews.value.get(example.id)) || null}
               onOpen={() => {
                 dialogs.close();
-                void services.openExample(example.id);
+                void services.openExample(example);
               }}
             />
           </li>

@@ -1,5 +1,5 @@
 import type { ComponentType } from "preact";
-import { useEffect, useState } from "preact/hooks";
+import { lazily } from "../lazily";
 import type { DialogRequest, Dialogs } from "./dialogs";
 import type { DialogServices } from "./services";
 
@@ -12,43 +12,22 @@ export interface DialogProps<Request extends DialogRequest = DialogRequest> {
 
 type Kind = DialogRequest["kind"];
 type OfKind<K extends Kind> = Extract<DialogRequest, { readonly kind: K }>;
-type Dialog = ComponentType<DialogProps<never>>;
 
-/** Each dialog is a chunk of its own, fetched when it is first opened. */
-const CHUNKS: { readonly [K in Kind]: () => Promise<ComponentType<DialogProps<OfKind<K>>>> } = {
-  share: () => import("./share").then((chunk) => chunk.ShareDialog),
-  examples: () => import("./examples").then((chunk) => chunk.ExamplesDialog),
-  help: () => import("./help").then((chunk) => chunk.HelpDialog),
-  palette: () => import("./palette").then((chunk) => chunk.PaletteDialog),
-  export: () => import("./export").then((chunk) => chunk.ExportDialog),
-  question: () => import("./question").then((chunk) => chunk.QuestionDialog),
-  problem: () => import("./question").then((chunk) => chunk.ProblemDialog),
+const DIALOGS: { readonly [K in Kind]: ComponentType<DialogProps<OfKind<K>>> } = {
+  share: lazily(() => import("./share").then((part) => part.ShareDialog)),
+  examples: lazily(() => import("./examples").then((part) => part.ExamplesDialog)),
+  help: lazily(() => import("./help").then((part) => part.HelpDialog)),
+  palette: lazily(() => import("./palette").then((part) => part.PaletteDialog)),
+  export: lazily(() => import("./export").then((part) => part.ExportDialog)),
+  question: lazily(() => import("./question").then((part) => part.QuestionDialog)),
+  problem: lazily(() => import("./question").then((part) => part.ProblemDialog)),
 };
 
-const loaded = new Map<Kind, Dialog>();
-
-/** Shows the dialog asked for, one at a time. */
+/** Shows the dialog asked for, one at a time; each is fetched when it is first opened. */
 export function DialogHost({ dialogs, services }: { dialogs: Dialogs; services: DialogServices }) {
   const request = dialogs.shown.value;
-  const Shown = useChunk(request?.kind ?? null);
-  if (!request || !Shown) return null;
-  // The chunk is the one of the request's kind.
-  const Dialog = Shown as ComponentType<DialogProps>;
-  return <Dialog request={request} services={services} dialogs={dialogs} />;
-}
-
-function useChunk(kind: Kind | null): Dialog | null {
-  const [, setArrived] = useState(0);
-  useEffect(() => {
-    if (kind === null || loaded.has(kind)) return;
-    let isWanted = true;
-    void CHUNKS[kind]().then((chunk) => {
-      loaded.set(kind, chunk as Dialog);
-      if (isWanted) setArrived((count) => count + 1);
-    });
-    return () => {
-      isWanted = false;
-    };
-  }, [kind]);
-  return kind === null ? null : (loaded.get(kind) ?? null);
+  if (!request) return null;
+  // The dialog is the one of the request's kind, which the types of a record by kind cannot say.
+  const Dialog = DIALOGS[request.kind] as ComponentType<DialogProps>;
+  return <Dialog key={request.kind} request={request} services={services} dialogs={dialogs} />;
 }

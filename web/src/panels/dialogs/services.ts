@@ -27,10 +27,10 @@ export interface DialogServices {
   readonly address: string;
   /** The scene with what auto chose written down, as it is shared. */
   sceneToShare(): Scene;
-  readonly examples: readonly ExampleCard[];
+  loadExamples(): Promise<readonly ExampleCard[]>;
   /** By example id. */
   loadPreviews(): Promise<ReadonlyMap<string, Preview>>;
-  openExample(id: string): Promise<void>;
+  openExample(example: ExampleCard): Promise<void>;
   /** Hands the person a file named after the scene. */
   saveFile(ending: string, text: string, type: string): void;
 }

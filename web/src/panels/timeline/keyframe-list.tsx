@@ -2,14 +2,16 @@ import { useRef, useState } from "preact/hooks";
 import { reorderKeyframe } from "../../document/commands/keyframes";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { KeyframeDrag } from "./keyframe-drag";
-import { KeyframeMenu } from "./keyframe-menu";
 import { KeyframeOption } from "./keyframe-option";
 import { keyframePlaces } from "./layout";
 import { THUMBNAIL_WIDTH, xOf } from "./scale";
 import { useAgentColors, usePalette } from "./use-paint";
 import type { Viewport } from "./viewport";
+
+const KeyframeMenu = lazily(() => import("./keyframe-menu").then((part) => part.KeyframeMenu));
 
 /** The formations of the show at their times. Arrows walk, a drag retimes, a drag onto another takes its place. */
 export function KeyframeList({ viewport }: { viewport: Viewport }) {

@@ -14,7 +14,6 @@ export function Overview({ viewport }: { viewport: Viewport }) {
   const strip = useRef<HTMLDivElement>(null);
   const whole = viewport.trackWidth.value;
   const width = viewport.width.value;
-  if (whole <= width + 1 || width === 0) return null;
   const scene = document.scene.value;
   const factor = (width - 2 * MARGIN) / whole;
   const furthest = whole - width;

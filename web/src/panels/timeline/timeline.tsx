@@ -1,11 +1,9 @@
 import { useSignalEffect } from "@preact/signals";
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
+import { mainTrack } from "../../document/scene";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
-import { EmptySlot } from "./empty-slot";
-import { HoldHandle } from "./hold-handle";
 import { KeyframeList } from "./keyframe-list";
-import { LoopBar } from "./loop-bar";
-import { Overview } from "./overview";
 import { Playhead, TimeSlider } from "./playhead";
 import { Ribbons } from "./ribbons";
 import { RulerStrip } from "./ruler-strip";
@@ -14,6 +12,11 @@ import { TrackTouch } from "./track-touch";
 import { Transport } from "./transport";
 import { createViewport, type Viewport } from "./viewport";
 import "./timeline.css";
+
+const EmptySlot = lazily(() => import("./empty-slot").then((part) => part.EmptySlot));
+const HoldHandle = lazily(() => import("./hold-handle").then((part) => part.HoldHandle));
+const LoopBar = lazily(() => import("./loop-bar").then((part) => part.LoopBar));
+const Overview = lazily(() => import("./overview").then((part) => part.Overview));
 
 /** The show along time: what plays it, its keyframes and the transitions between them. */
 export function Timeline() {
@@ -40,6 +43,7 @@ export function Timeline() {
   });
   useFollow(viewport);
 
+  const isSingle = mainTrack(document.scene.value).keyframes.length === 1;
   return (
     <section class="timeline" aria-label="Timeline">
       <Transport />
@@ -69,15 +73,15 @@ export function Timeline() {
         <Scrubber viewport={viewport} />
         <div ref={track} class="track">
           <RulerStrip viewport={viewport} />
-          <LoopBar viewport={viewport} />
+          {playback.range.value && <LoopBar viewport={viewport} />}
           <Ribbons viewport={viewport} />
           <KeyframeList viewport={viewport} />
-          <HoldHandle viewport={viewport} />
-          <EmptySlot viewport={viewport} />
+          {document.selection.value.kind === "keyframe" && <HoldHandle viewport={viewport} />}
+          {isSingle && <EmptySlot viewport={viewport} />}
           <TimeSlider />
           <Playhead viewport={viewport} />
         </div>
-        <Overview viewport={viewport} />
+        {viewport.isCut.value && <Overview viewport={viewport} />}
       </div>
     </section>
   );

@@ -20,6 +20,8 @@ export interface Viewport {
   readonly scroll: ReadonlySignal<number>;
   readonly scale: ReadonlySignal<Scale>;
   readonly trackWidth: ReadonlySignal<number>;
+  /** Whether not everything fits the window. */
+  readonly isCut: ReadonlySignal<boolean>;
   /** What is worth drawing, in track pixels: the window and some more, in steps, so that scrolling seldom redraws. */
   readonly drawn: ReadonlySignal<{ readonly from: number; readonly to: number }>;
   scrollTo(x: number): void;
@@ -65,6 +67,7 @@ export function createViewport(document: DocumentStore, playback: Playback): Vie
     scroll,
     scale,
     trackWidth: whole,
+    isCut: computed(() => width.value > 0 && whole.value > width.value + 1),
     drawn,
     scrollTo(x) {
       position.value = Math.min(Math.max(0, x), whole.value - width.value);
