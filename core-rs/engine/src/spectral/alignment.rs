@@ -78,3 +78,48 @@ impl Correlation {
         Self { along: cross.x, across: cross.y, scale: (sizes.x * sizes.y).sqrt() }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const WEDGE: [[f64; 2]; 4] = [[0.0, 0.0], [6.0, 1.0], [6.5, -1.0], [9.0, 0.5]];
+
+    fn wedge(turn: f64) -> Formation {
+        let shift = DVec2::new(2.0, -5.0);
+        Formation::new(WEDGE.iter().map(|p| DVec2::from_angle(turn).rotate(DVec2::from_array(*p)) + shift).collect())
+    }
+
+    #[test]
+    fn a_turned_copy_gives_its_turn_whichever_way_its_axis_points() {
+        for turn in [0.0, 0.4, -1.5, 1.7, 3.0, -3.0, PI] {
+            for alignment in [Alignment::Pca, Alignment::Procrustes] {
+                let found = turn_between(&wedge(0.3), &wedge(0.3 + turn), alignment);
+                assert!((found - turn).abs() < 1e-12, "{alignment:?}: {found} for {turn}");
+            }
+            assert!(turn_between(&wedge(0.3), &wedge(0.3 + turn), Alignment::None).abs() < f64::EPSILON);
+        }
+    }
+
+    #[test]
+    fn a_round_formation_has_no_axis_and_turns_by_least_squares() {
+        let ring = |turn: f64| Formation::new((0..5).map(|i| DVec2::from_angle(turn + f64::from(i) * 1.2 * PI / 3.0)).collect());
+        let square = |turn: f64| Formation::new((0..4).map(|i| DVec2::from_angle(turn + f64::from(i) * PI / 2.0)).collect());
+        assert!((turn_between(&square(0.1), &square(0.8), Alignment::Pca) - 0.7).abs() < 1e-12);
+        assert!((turn_between(&ring(0.0), &ring(-0.5), Alignment::Procrustes) + 0.5).abs() < 1e-12);
+    }
+
+    #[test]
+    fn formations_that_no_turn_brings_together_are_not_turned() {
+        let at = |x: f64, y: f64| DVec2::new(x, y);
+        let square = [at(1.0, 1.0), at(-1.0, 1.0), at(-1.0, -1.0), at(1.0, -1.0)];
+        let mirrored = square.map(|p| DVec2::new(-p.x, p.y));
+        let one_place = Formation::new(vec![DVec2::ONE; 4]);
+        let [square, mirrored] = [square, mirrored].map(|points| Formation::new(points.to_vec()));
+        for alignment in [Alignment::Pca, Alignment::Procrustes] {
+            assert!(turn_between(&square, &mirrored, alignment).abs() < f64::EPSILON);
+            assert!(turn_between(&square, &one_place, alignment).abs() < f64::EPSILON);
+            assert!(turn_between(&one_place, &one_place, alignment).abs() < f64::EPSILON);
+        }
+    }
+}

@@ -89,3 +89,45 @@ impl Curve {
         radius * DVec2::from_angle(self.angle + t * self.turn) + (1.0 - t) * self.residuals[0] + t * self.residuals[1]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    fn at(coefficients: &Coefficients, t: f64) -> Vec<DVec2> {
+        let count = coefficients.curves.len();
+        let mut columns = vec![f64::NAN; 2 * count];
+        coefficients.write_columns(&[t], &mut columns);
+        (0..count).map(|k| DVec2::new(columns[k], columns[count + k])).collect()
+    }
+
+    fn check(from: DVec2, to: DVec2, common: f64, halfway: DVec2) {
+        let coefficients = Coefficients::between(&[from, DVec2::X], &[to, DVec2::X], common);
+        let found = at(&coefficients, 0.5)[0];
+        assert!(found.distance(halfway) < 1e-12, "{from} to {to}: {found} for {halfway}");
+        assert!(at(&coefficients, 0.0)[0].distance(from) < 1e-15 && at(&coefficients, 1.0)[0].distance(to) < 1e-15);
+    }
+
+    #[test]
+    fn an_angle_takes_the_shorter_way_once_the_common_turn_is_out() {
+        let polar = |radius: f64, angle: f64| DVec2::from_angle(angle) * radius;
+        check(polar(1.0, 0.2), polar(3.0, 1.2), 0.0, polar(2.0, 0.7));
+        check(polar(1.0, 3.0), polar(1.0, -3.0), 0.0, polar(1.0, PI));
+        check(polar(1.0, 0.0), polar(1.0, -0.5), 2.8, polar(1.0, PI - 0.25));
+    }
+
+    #[test]
+    fn a_half_turn_is_counterclockwise_whatever_the_sign_of_zero() {
+        check(DVec2::new(1.0, 0.0), DVec2::new(-1.0, -0.0), 0.0, DVec2::Y);
+        check(DVec2::new(1.0, 0.0), DVec2::new(-1.0, 0.0), 0.0, DVec2::Y);
+    }
+
+    #[test]
+    fn what_has_no_direction_follows_the_common_turn() {
+        check(DVec2::new(0.0, 1e-13), DVec2::new(2.0, 0.0), 1.0, DVec2::from_angle(-0.5));
+        check(DVec2::new(2.0, 0.0), DVec2::ZERO, 1.0, DVec2::from_angle(0.5));
+        check(DVec2::ZERO, DVec2::ZERO, 1.0, DVec2::ZERO);
+    }
+}

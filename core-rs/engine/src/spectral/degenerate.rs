@@ -111,3 +111,91 @@ pub(super) fn turned_to(source: &Eigenbasis, target: &Eigenbasis) -> Eigenbasis 
     }
     target.with_modes(modes)
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+
+    fn ring(count: usize, radius: f64) -> Formation {
+        Formation::new((0..count).map(|i| DVec2::from_angle(std::f64::consts::TAU * i as f64 / count as f64) * radius).collect())
+    }
+
+    fn line(count: usize) -> Formation {
+        Formation::new((0..count).map(|i| DVec2::new(i as f64, 0.0)).collect())
+    }
+
+    fn cycle(count: usize) -> Mat<f64> {
+        Mat::from_fn(count, count, |row, column| match (row + count - column) % count {
+            0 => 2.0,
+            1 => -1.0,
+            step if step == count - 1 => -1.0,
+            _ => 0.0,
+        })
+    }
+
+    #[test]
+    fn equal_means_near_relative_to_the_largest() {
+        for (eigenvalues, expected) in [
+            (&[0.0, 1.0, 2.0, 3.0][..], false),
+            (&[0.0, 1.0, 1.0 + 2e-6, 3.0], true),
+            (&[0.0, 1.0, 1.0 + 4e-6, 3.0], false),
+            // Two zeros are one piece more than one; three zeros are two modes that nothing tells apart.
+            (&[0.0, 0.0, 2.0, 3.0], false),
+            (&[0.0, 0.0, 0.0, 3.0], true),
+            (&[0.0, 0.0, 0.0], true),
+            (&[0.0, 0.0], false),
+            (&[0.0], false),
+            (&[], false),
+        ] {
+            assert_eq!(is_degenerate(eigenvalues), expected, "{eigenvalues:?}");
+        }
+    }
+
+    #[test]
+    fn nearness_is_a_laplacian_of_trace_one_even_where_agents_coincide() {
+        let twins = Formation::new(vec![DVec2::ZERO, DVec2::ZERO, DVec2::X, DVec2::Y]);
+        for (source, target) in [(ring(4, 3.0), line(4)), (twins.clone(), twins), (Formation::new(vec![DVec2::ONE; 4]), line(4))] {
+            let laplacian = nearness(&source, &target);
+            assert!((trace(&laplacian) - 1.0).abs() < 1e-14);
+            for row in 0..4 {
+                assert!((0..4).map(|column| laplacian[(row, column)]).sum::<f64>().abs() < 1e-15);
+            }
+        }
+    }
+
+    #[test]
+    fn the_other_end_tells_the_modes_of_a_ring_apart() {
+        let ring_graph = cycle(12);
+        assert!(is_degenerate(Eigenbasis::of(ring_graph.as_ref()).eigenvalues()));
+        let broken = with_tie_break(&ring_graph, None, &nearness(&ring(12, 5.0), &line(12)));
+        assert!(!is_degenerate(Eigenbasis::of(broken.as_ref()).eigenvalues()));
+        // Faint: eigenvalues move by at most ε tr L (Weyl), here 1e-4 · 24 · 1/2.
+        assert!((&broken - &ring_graph).norm_l2() <= 1e-4 * 12.0);
+    }
+
+    #[test]
+    fn without_ties_the_tie_break_alone_decides() {
+        let none = Mat::zeros(6, 6);
+        let broken = with_tie_break(&none, Some(&none), &nearness(&line(6), &line(6)));
+        assert!(!is_degenerate(Eigenbasis::of(broken.as_ref()).eigenvalues()));
+    }
+
+    #[test]
+    fn what_is_equal_even_then_is_turned_to_fit_the_source() {
+        let basis = Eigenbasis::of(cycle(12).as_ref());
+        // The same eigenspaces in other bases: every pair of columns turned by an angle of its own.
+        let turned = Mat::from_fn(12, 11, |row, column| {
+            let pair = column - column % 2;
+            if pair == 10 {
+                return basis.modes()[(row, 10)];
+            }
+            let (sin, cos) = (0.3 + pair as f64).sin_cos();
+            let weights = if column == pair { (cos, sin) } else { (-sin, cos) };
+            weights.0 * basis.modes()[(row, pair)] + weights.1 * basis.modes()[(row, pair + 1)]
+        });
+        let fitted = turned_to(&basis, &basis.with_modes(turned));
+        assert!((fitted.modes() - basis.modes()).norm_max() < 1e-13);
+    }
+}

@@ -155,3 +155,49 @@ impl Planner {
         Eigenbasis::of(with_tie_break(&mean, None, &nearness(source, target)).as_ref())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+    use crate::adjacency::{AdjacencySpec, build};
+    use crate::choice::Alignment;
+    use crate::formation::Formation;
+    use crate::transition::End;
+
+    fn end(positions: Vec<DVec2>) -> End {
+        let formation = Formation::new(positions);
+        let adjacency = build(&formation, &AdjacencySpec::default(), &[]).expect("few ties");
+        End { formation: Arc::new(formation), adjacency: Arc::new(adjacency), basis: None }
+    }
+
+    fn ends() -> Ends {
+        let spiral = |pitch: f64| (1..10).map(|i| DVec2::from_angle(f64::from(i)) * (1.0 + pitch * f64::from(i))).collect();
+        Ends::new(end(spiral(0.7)), end(spiral(1.9)))
+    }
+
+    fn steps(planner: &mut Planner, choice: &Choice) -> usize {
+        (1..100).find(|_| planner.step(choice, false).is_some()).expect("it ends")
+    }
+
+    #[test]
+    fn a_second_choice_starts_where_the_first_left_off() {
+        let mut planner = Planner::new(ends());
+        let choice = |order, sharing, alignment| Choice { method: MethodName::Spectral, order, alignment, sharing };
+        // Two eigenbases, the pair, the pairing, the planes, the transition.
+        assert_eq!(steps(&mut planner, &choice(Order::Greedy, 0.0, Alignment::None)), 6);
+        assert_eq!(steps(&mut planner, &choice(Order::Greedy, 0.5, Alignment::None)), 1);
+        assert_eq!(steps(&mut planner, &choice(Order::Greedy, 0.5, Alignment::Procrustes)), 1);
+        assert_eq!(steps(&mut planner, &choice(Order::Hungarian, 0.5, Alignment::Procrustes)), 3);
+    }
+
+    #[test]
+    fn a_known_eigenbasis_is_not_sought_again() {
+        let mut first = Planner::new(ends());
+        let choice = Choice { method: MethodName::Spectral, order: Order::Greedy, alignment: Alignment::Pca, sharing: 0.5 };
+        steps(&mut first, &choice);
+        let known = first.ends().clone();
+        assert_eq!(steps(&mut Planner::new(known), &choice), 4);
+    }
+}
