@@ -6,6 +6,10 @@ import { useStudio } from "../studio";
 import { Plot } from "./plot";
 import { Section } from "./section";
 
+/** A tenth of every tie's length, and five degrees: less than this lies low in its plot. */
+const LITTLE_DISTORTION = 0.1;
+const LITTLE_TURNING = (5 * Math.PI) / 180;
+
 /** How well a transition keeps the group together: over time, and in its worst moment. */
 export function Measures({ plan }: { plan: SegmentPlan }) {
   const { document } = useStudio();
@@ -29,13 +33,13 @@ export function Measures({ plan }: { plan: SegmentPlan }) {
       )}
       <Measure
         label="Distortion"
-        plot={<Plot values={curves.distortion} {...span} />}
+        plot={<Plot values={curves.distortion} {...span} least={LITTLE_DISTORTION} />}
         value={formatNumber(report.distortion.mean)}
         worst={`max ${formatNumber(report.distortion.max)}`}
       />
       <Measure
         label="Turning"
-        plot={<Plot values={curves.turning} {...span} />}
+        plot={<Plot values={curves.turning} {...span} least={LITTLE_TURNING} />}
         value={formatAngle(report.turning.mean)}
         worst={`max ${formatAngle(report.turning.max)}`}
       />

@@ -7,13 +7,17 @@ const HEIGHT = 26;
 /** Room for the line's own width at the top and bottom. */
 const MARGIN = 3;
 
-/** A measure over a transition's time, with the playhead. A limit is dashed, and the curve below it stands out. */
-export function Plot(props: { values: Float32Array; from: number; to: number; limit?: number }) {
+/**
+ * A measure over a transition's time, with the playhead. A limit is dashed, and the curve below it stands out.
+ *
+ * @param props.least the upper edge stands for this at least, so that round-off is not drawn as mountains
+ */
+export function Plot(props: { values: Float32Array; from: number; to: number; limit?: number; least?: number }) {
   const { playback } = useStudio();
   const { values, from, to, limit } = props;
   const x = useComputed(() => (WIDTH * (playback.time.value - from)) / Math.max(1e-9, to - from));
   const isNow = useComputed(() => (playback.time.value >= from && playback.time.value <= to ? "visible" : "hidden"));
-  const top = Math.max(maximum(values), limit === undefined ? 0 : limit * 1.5, 1e-9);
+  const top = Math.max(maximum(values), limit === undefined ? 0 : limit * 1.5, props.least ?? 0, 1e-9);
   const frame: PlotFrame = { width: WIDTH, height: HEIGHT - 2 * MARGIN, low: 0, high: top };
   const isBroken = limit !== undefined && values.some((value) => value < limit);
   return (
