@@ -17,7 +17,7 @@ const KeyframeMenu = lazily(() => import("./keyframe-menu").then((part) => part.
 export function KeyframeList({ viewport }: { viewport: Viewport }) {
   const { actions, document, playback, messages } = useStudio();
   const [menuAt, setMenuAt] = useState<number | null>(null);
-  const list = useRef<HTMLDivElement>(null);
+  const list = useRef<HTMLDivElement | null>(null);
   const drag = useRef<KeyframeDrag>(null);
   drag.current ??= new KeyframeDrag(document, () => viewport.scale.peek());
   const dragging = drag.current;
@@ -61,7 +61,10 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
   return (
     <>
       <div
-        ref={list}
+        ref={(element) => {
+          list.current = element;
+          if (element) element.style.width = `${places.at(-1)?.right ?? 0}px`;
+        }}
         class="keyframes"
         role="listbox"
         aria-label="Keyframes"
