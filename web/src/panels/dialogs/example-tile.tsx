@@ -1,6 +1,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { formatCount } from "../../document/units";
 import { usePalette } from "../timeline/use-paint";
+import { focusLate } from "./frame";
 import { drawPreview } from "./preview-drawing";
 import type { ExampleCard, Preview } from "./services";
 
@@ -22,12 +23,17 @@ export interface ExampleTileProps {
 
 /** A card of the gallery; it plays while it has the focus or the pointer. */
 export function ExampleTile({ example, preview, isFirst, onOpen }: ExampleTileProps) {
+  const button = useRef<HTMLButtonElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const bar = useRef<HTMLElement>(null);
   const palette = usePalette();
   const [isPointed, setPointed] = useState(false);
   const [isFocused, setFocused] = useState(false);
   const isPlaying = (isPointed || isFocused) && preview !== null && !prefersStill();
+
+  useLayoutEffect(() => {
+    if (isFirst) focusLate(button.current);
+  }, [isFirst]);
 
   useLayoutEffect(() => {
     if (canvas.current && preview) drawPreview(canvas.current, preview, RESTING_PLACE, palette);
@@ -55,9 +61,9 @@ export function ExampleTile({ example, preview, isFirst, onOpen }: ExampleTilePr
 
   return (
     <button
+      ref={button}
       type="button"
       class="example"
-      autofocus={isFirst}
       onClick={onOpen}
       onPointerEnter={(event) => setPointed(event.pointerType === "mouse")}
       onPointerLeave={() => setPointed(false)}

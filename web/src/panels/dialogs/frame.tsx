@@ -70,6 +70,11 @@ export function Modal({ class: name, label, labelledBy, onClose, children }: Mod
   );
 }
 
+/** Gives an element that comes later the focus which the dialog itself has meanwhile; whoever moved on is left alone. */
+export function focusLate(element: HTMLElement | null): void {
+  if (element && document.activeElement === element.closest("dialog")) element.focus();
+}
+
 function isBeside(event: MouseEvent, element: Element): boolean {
   const box = element.getBoundingClientRect();
   return event.clientX < box.left || event.clientX > box.right || event.clientY < box.top || event.clientY > box.bottom;

@@ -8,7 +8,7 @@ import { formatCount } from "../../document/units";
 import type { LinkReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
 import { useStudio } from "../studio";
-import { Frame } from "./frame";
+import { Frame, focusLate } from "./frame";
 import type { DialogProps } from "./host";
 import { LinkMeter } from "./link-meter";
 import { brokenWords, fitWords, roundingWords } from "./share-words";
@@ -55,8 +55,7 @@ function LinkRow({ link }: { link: string }) {
   const button = useRef<HTMLButtonElement>(null);
   const [copied, setCopied] = useState<"no" | "yes" | "refused">("no");
   useLayoutEffect(() => {
-    // The link comes a moment after the dialog; whoever has moved on meanwhile is left alone.
-    if (document.activeElement?.matches("dialog")) button.current?.focus();
+    focusLate(button.current);
   }, []);
   const copy = async () => {
     try {

@@ -31,16 +31,16 @@ const times = () => mainTrack(document.scene.value).keyframes.map(({ time }) => 
 const names = () => mainTrack(document.scene.value).keyframes.map(({ name }) => name);
 
 function pull(from: number, to: number, isRipple = false): void {
-  drag.press(1, from);
+  drag.press(1, from, FAR_AWAY);
   const steps = 7;
   for (let step = 1; step <= steps; step += 1) {
-    drag.move({ x: from + ((to - from) * step) / steps, isRipple, playhead: FAR_AWAY });
+    drag.move({ x: from + ((to - from) * step) / steps, isRipple });
   }
 }
 
 test("a press that hardly moves is a click and changes nothing", () => {
-  drag.press(1, 460);
-  drag.move({ x: 462, isRipple: false, playhead: 4 });
+  drag.press(1, 460, 4);
+  drag.move({ x: 462, isRipple: false });
   expect(drag.release()).toBeNull();
   expect(document.undoLabel.value).toBeNull();
 });
@@ -87,7 +87,7 @@ test("dropped onto another it takes that place, and the times stay", () => {
 
 test("pulled away from another again it retimes and does not reorder", () => {
   pull(460, xOf(SCALE, 8));
-  drag.move({ x: 600, isRipple: false, playhead: FAR_AWAY });
+  drag.move({ x: 600, isRipple: false });
   drag.release();
   expect(names()).toEqual(["K0", "K1", "K2"]);
   expect(times()[1]).toBeCloseTo(5.4, 9);
@@ -95,7 +95,13 @@ test("pulled away from another again it retimes and does not reorder", () => {
 
 test("the place where the drag began is where it ends when the pointer comes back", () => {
   pull(460, 560);
-  drag.move({ x: 460, isRipple: false, playhead: FAR_AWAY });
+  drag.move({ x: 460, isRipple: false });
   drag.release();
   expect(times()).toEqual([0, 4, 8]);
+});
+
+test("the playhead that goes along with a dragged keyframe does not hold it back", () => {
+  drag.press(1, 460, 4);
+  for (let x = 461; x <= 520; x += 1) drag.move({ x, isRipple: false });
+  expect(times()[1]).toBeCloseTo(4.6, 9);
 });

@@ -24,8 +24,6 @@ export interface DragInput {
   /** Track pixels. */
   readonly x: number;
   readonly isRipple: boolean;
-  /** Scene seconds; a dragged keyframe sticks to it. */
-  readonly playhead: number;
 }
 
 /** Pixels a press may wander and still be a click. */
@@ -39,6 +37,8 @@ export class KeyframeDrag {
   readonly state: Signal<DragState> = signal(IDLE);
   /** The scene when the press began: where everything is measured from. */
   private start: Scene;
+  /** Where the playhead was then, scene seconds: a dragged keyframe sticks to it. Later it may be dragged along. */
+  private playhead = 0;
 
   constructor(
     private readonly document: DocumentStore,
@@ -47,8 +47,9 @@ export class KeyframeDrag {
     this.start = document.scene.peek();
   }
 
-  press(index: number, x: number): void {
+  press(index: number, x: number, playhead: number): void {
     this.cancel();
+    this.playhead = playhead;
     this.start = this.document.scene.peek();
     this.state.value = { kind: "pressed", index, x };
   }
@@ -67,7 +68,7 @@ export class KeyframeDrag {
     }
     const scale = this.scale();
     const wanted = (this.keyframes[index]?.time ?? 0) + (input.x - x) / scale.pixelsPerSecond;
-    const snapped = snapTime(wanted, this.start, { pixelsPerSecond: scale.pixelsPerSecond, times: [input.playhead] });
+    const snapped = snapTime(wanted, this.start, { pixelsPerSecond: scale.pixelsPerSecond, times: [this.playhead] });
     gesture.preview(input.isRipple ? rippleKeyframe(index, snapped) : retimeKeyframe(index, snapped));
     this.state.value = { kind: "retiming", index, x, gesture };
   }

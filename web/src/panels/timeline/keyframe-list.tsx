@@ -113,13 +113,12 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
                   if (event.pointerType === "touch" && !isSelected(index)) return;
                   event.stopPropagation();
                   event.currentTarget.setPointerCapture(event.pointerId);
-                  dragging.press(index, viewport.trackX(event.clientX, event.currentTarget));
+                  dragging.press(index, viewport.trackX(event.clientX, event.currentTarget), playback.time.peek());
                 },
                 onPointerMove(event) {
                   dragging.move({
                     x: viewport.trackX(event.clientX, event.currentTarget),
                     isRipple: event.altKey,
-                    playhead: playback.time.peek(),
                   });
                 },
                 onPointerUp() {

@@ -3,6 +3,8 @@ import type { Palette } from "../../stage/palette";
 import { clamp, neighborSpacing } from "../../stage/spacing";
 
 const PADDING = 7;
+const SMALLEST_DISC = 0.9;
+const LARGEST_DISC = 2.6;
 
 /** Draws a formation to fill a canvas of width × height CSS pixels; `colors` are stored colors by agent. */
 export function drawFormation(
@@ -18,27 +20,39 @@ export function drawFormation(
   canvas.width = Math.round(size.width * density);
   canvas.height = Math.round(size.height * density);
   if (formation.agentCount === 0) return;
-  const points = formation.points();
-  const xs = points.map(([x]) => x);
-  const ys = points.map(([, y]) => y);
-  const [left, right] = [Math.min(...xs), Math.max(...xs)];
-  const [bottom, top] = [Math.min(...ys), Math.max(...ys)];
+  const [left, bottom, right, top] = boundsOf(formation.xy);
   const scale = Math.min(
     (size.width - 2 * PADDING) / Math.max(right - left, 1),
     (size.height - 2 * PADDING) / Math.max(top - bottom, 1),
   );
-  const radius = clamp(0.34 * neighborSpacing(formation) * scale, 0.9, 2.6);
-  context.scale(density, density);
-  for (const [agent, [x, y]] of points.entries()) {
-    context.fillStyle = palette.shown(colors[agent] ?? "");
-    context.beginPath();
-    context.arc(
-      size.width / 2 + (x - (left + right) / 2) * scale,
-      size.height / 2 - (y - (bottom + top) / 2) * scale,
-      radius,
-      0,
-      2 * Math.PI,
-    );
-    context.fill();
+  const radius = clamp(0.34 * neighborSpacing(formation) * scale, SMALLEST_DISC, LARGEST_DISC);
+  context.setTransform(density, 0, 0, density, 0, 0);
+  context.translate(size.width / 2, size.height / 2);
+  // One path a color: a hundred thumbnails of a thousand agents are drawn while somebody scrolls.
+  const paths = new Map<string, Path2D>();
+  for (let agent = 0; agent < formation.agentCount; agent += 1) {
+    const x = (formation.x(agent) - (left + right) / 2) * scale;
+    const y = ((bottom + top) / 2 - formation.y(agent)) * scale;
+    const color = colors[agent] ?? "";
+    const path = paths.get(color) ?? new Path2D();
+    paths.set(color, path);
+    path.moveTo(x + radius, y);
+    path.arc(x, y, radius, 0, 2 * Math.PI);
   }
+  for (const [color, path] of paths) {
+    context.fillStyle = palette.shown(color);
+    context.fill(path);
+  }
+}
+
+function boundsOf(xy: Float64Array): [left: number, bottom: number, right: number, top: number] {
+  let [left, bottom, right, top] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let index = 0; index < xy.length; index += 2) {
+    const [x, y] = [xy[index] ?? 0, xy[index + 1] ?? 0];
+    left = Math.min(left, x);
+    right = Math.max(right, x);
+    bottom = Math.min(bottom, y);
+    top = Math.max(top, y);
+  }
+  return [left, bottom, right, top];
 }
