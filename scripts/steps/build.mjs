@@ -1,4 +1,4 @@
-import { access, readFile, writeFile } from "node:fs/promises";
+import { access } from "node:fs/promises";
 import { join } from "node:path";
 import { root, run, step } from "./run.mjs";
 import { hashOf, once } from "./stamp.mjs";
@@ -20,28 +20,6 @@ const isThere = (path) =>
     () => false,
   );
 
-/** wasm-opt must allow what rustc emits. */
-async function optimize() {
-  const { default: binaryen } = await import("binaryen");
-  const file = join(root, PACKAGE, "engine_bg.wasm");
-  const module = binaryen.readBinary(new Uint8Array(await readFile(file)));
-  const { Features } = binaryen;
-  module.setFeatures(
-    Features.BulkMemory |
-      Features.NontrappingFPToInt |
-      Features.SignExt |
-      Features.MutableGlobals |
-      Features.Multivalue |
-      Features.ReferenceTypes |
-      Features.SIMD128,
-  );
-  binaryen.setOptimizeLevel(3);
-  binaryen.setShrinkLevel(0);
-  module.optimize();
-  await writeFile(file, module.emitBinary());
-  module.dispose();
-}
-
 /** The engine's wasm package for the page. */
 export async function buildEngine(toolchain) {
   const hash = await hashOf([...ENGINE_SOURCES, "scripts/steps/build.mjs"], [toolchain], ["core-rs/engine/tests"]);
@@ -50,7 +28,6 @@ export async function buildEngine(toolchain) {
     await step("Compiling the engine for the browser (minutes the first time)", () =>
       run("cargo", ["xtask", "wasm", join(root, PACKAGE)], { cwd: join(root, "core-rs") }),
     );
-    await step("Optimizing the engine", optimize);
   });
   if (!isNew) console.log("▸ The engine is up to date");
 }

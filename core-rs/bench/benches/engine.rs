@@ -1,5 +1,73 @@
-//! Timings of the engine.
-use criterion::{Criterion, criterion_group, criterion_main};
-fn engine(_c: &mut Criterion) {}
-criterion_group!(benches, engine);
+//! How long the engine takes, natively. `npm run bench` prints these beside the browser's figures and other libraries'.
+
+use std::hint::black_box;
+use std::sync::Arc;
+
+use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use eigenform::adjacency::{self, AdjacencySpec};
+use eigenform::assignment;
+use eigenform::choice::MethodName;
+use eigenform::perform::{Performer, Step};
+use eigenform::scene::Scene;
+use eigenform::spectral::Eigenbasis;
+use eigenform_bench::{show, strewn};
+
+fn eigenbasis(criterion: &mut Criterion) {
+    for agent_count in [300, 1260] {
+        let graph = adjacency::build(&strewn(agent_count, 1), &AdjacencySpec::default(), &[]).expect("few ties");
+        let laplacian = graph.laplacian();
+        criterion.bench_function(&format!("eigenbasis {agent_count}"), |bencher| {
+            bencher.iter(|| Eigenbasis::of(black_box(laplacian.as_ref())));
+        });
+    }
+}
+
+fn assign(criterion: &mut Criterion) {
+    let (source, target) = (strewn(1260, 1), strewn(1260, 2));
+    criterion.bench_function("assignment 1260", |bencher| bencher.iter(|| assignment::squared(black_box(&source), black_box(&target))));
+}
+
+/// From a moved agent at the middle keyframe to the new motions of both segments beside it.
+fn moved_agent(criterion: &mut Criterion) {
+    for (name, agent_count, method) in
+        [("moved agent 60", 60, MethodName::Spectral), ("moved agent 300", 300, MethodName::Spectral), ("moved agent 25 auto", 25, MethodName::Auto)]
+    {
+        let scene = show(agent_count, 3, 10.0, method);
+        criterion.bench_function(name, |bencher| {
+            bencher.iter_batched(
+                || {
+                    let mut performer = Performer::default();
+                    perform_all(&mut performer, &scene);
+                    let mut moved = scene.clone();
+                    moved.tracks[0].keyframes[1].positions = Arc::new(strewn(agent_count, 99));
+                    (performer, moved)
+                },
+                |(mut performer, moved)| perform_all(&mut performer, &moved),
+                BatchSize::PerIteration,
+            );
+        });
+    }
+}
+
+fn whole(criterion: &mut Criterion) {
+    for (name, scene) in [
+        ("one transition of 1260", show(1260, 2, 10.0, MethodName::Spectral)),
+        ("show of 200 x 23 auto", show(200, 23, 10.0, MethodName::Auto)),
+    ] {
+        criterion.bench_function(name, |bencher| bencher.iter(|| perform_all(&mut Performer::default(), &scene)));
+    }
+}
+
+fn perform_all(performer: &mut Performer, scene: &Scene) {
+    for segment in 0..scene.main_track().segments.len() {
+        let mut job = performer.begin(scene, segment, None);
+        while !matches!(job.step(performer).expect("the show can be performed"), Step::Done(_)) {}
+    }
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(10).without_plots();
+    targets = eigenbasis, assign, moved_agent, whole
+}
 criterion_main!(benches);

@@ -1,1 +1,36 @@
-//! Timings.
+//! Formations and scenes to time the engine on; seeded, so that every run times the same.
+
+use std::sync::Arc;
+
+use eigenform::choice::{Alignment, MethodName, Order};
+use eigenform::formation::Formation;
+use eigenform::scene::{Keyframe, Scene, Segment, Track, TransitionSpec};
+use glam::DVec2;
+
+/// A small generator of numbers in 0..1 (Numerical Recipes' linear congruential constants).
+struct Numbers(u32);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(self.0) / f64::from(u32::MAX)
+    }
+}
+
+/// Agents strewn over a square that leaves each about a square meter.
+pub fn strewn(agent_count: usize, seed: u32) -> Formation {
+    let mut numbers = Numbers(seed);
+    let side = (agent_count as f64).sqrt();
+    Formation::new((0..agent_count).map(|_| DVec2::new(numbers.next() * side, numbers.next() * side)).collect())
+}
+
+/// A show whose agents are strewn anew at every keyframe, `seconds` apart, at 30 frames a second.
+pub fn show(agent_count: usize, keyframe_count: usize, seconds: f64, method: MethodName) -> Scene {
+    let keyframes = (0..keyframe_count)
+        .map(|k| Keyframe { time: k as f64 * seconds, positions: Arc::new(strewn(agent_count, k as u32 + 1)), ..Keyframe::default() })
+        .collect();
+    let spec = TransitionSpec { method, order: Order::Greedy, alignment: Alignment::Procrustes, ..TransitionSpec::default() };
+    let segments = vec![Segment::Transition(spec); keyframe_count.saturating_sub(1)];
+    let agents = Arc::new(vec![Default::default(); agent_count]);
+    Scene { minimum_distance: 0.5, tracks: vec![Track { agents, keyframes, segments }], ..Scene::default() }
+}

@@ -10,7 +10,7 @@ const TARGET: &str = "wasm32-unknown-unknown";
 /// Compiles the engine for the browser and writes its package into `directory`.
 pub fn build(directory: &Path) -> Result<(), String> {
     let status = Command::new(env!("CARGO"))
-        .args(["build", "--release", "--package", "eigenform-wasm", "--target", TARGET])
+        .args(["build", "--profile", "page", "--package", "eigenform-wasm", "--target", TARGET])
         .current_dir(workspace())
         .status()
         .map_err(|error| format!("cargo did not start: {error}"))?;
@@ -19,9 +19,17 @@ pub fn build(directory: &Path) -> Result<(), String> {
     }
     // Without a default module path the page names the wasm file itself, and the bundler sees the name.
     Bindgen::new()
-        .input_path(target_directory().join(TARGET).join("release/eigenform_wasm.wasm"))
+        .input_path(target_directory().join(TARGET).join("page/eigenform_wasm.wasm"))
         .web(true)
-        .and_then(|bindgen| bindgen.typescript(true).omit_default_module_path(true).out_name("engine").generate(directory))
+        .and_then(|bindgen| {
+            bindgen
+                .typescript(true)
+                .remove_name_section(true)
+                .remove_producers_section(true)
+                .omit_default_module_path(true)
+                .out_name("engine")
+                .generate(directory)
+        })
         .map_err(|error| format!("wasm-bindgen: {error:#}"))
 }
 

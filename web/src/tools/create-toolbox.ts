@@ -1,20 +1,13 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { keyframeLabel } from "../document/queries";
-import { mainTrack } from "../document/scene";
-import { momentAt } from "../document/timing";
-import { createEditor, type ToolParts } from "./create-editor";
-import { drawTool } from "./draw";
-import { groupTool } from "./group";
-import { panTool } from "./pan";
-import { settleInMiddle } from "./place";
-import { selectTool } from "./select";
-import { shapeTool } from "./shape";
-import { tieTool } from "./tie";
-import { type Editor, NO_OVERLAY, type Press, type Tool, type ToolEvent } from "./tool";
-import type { Overlay, ShapeName, Spacing, Toolbox, ToolName } from "./toolbox";
+import type { ToolParts } from "./create-editor";
+import { NO_OVERLAY, type ToolEvent } from "./tool";
+import type { ShapeName, Spacing, Toolbox, ToolName } from "./toolbox";
+import type { createWorkbench, Workbench } from "./workbench";
 
 /** A toolbox that hears the pointer. */
 export interface ToolboxAtWork extends Toolbox {
+  /** Fetches the tools, if they are not there yet; what is sent meanwhile waits for them. */
+  wake(): Promise<void>;
   send(event: ToolEvent): void;
   /** Gives up the gesture under way; whether there was one. */
   cancel(): boolean;
@@ -30,76 +23,63 @@ export interface ToolboxAtWork extends Toolbox {
 /** Agents that a first stroke or shape makes. */
 const FIRST_COUNT = 12;
 
-export function createToolbox(parts: ToolParts): ToolboxAtWork {
+/**
+ * The tool in hand from the first moment; the tools themselves come when the pointer or a key first wants one,
+ * unless `tools` brings them along.
+ */
+export function createToolbox(parts: ToolParts, tools?: typeof createWorkbench): ToolboxAtWork {
   const active = signal<ToolName>("select");
   const shape = signal<ShapeName>("circle");
   const spacing = signal<Spacing>({ by: "count", count: FIRST_COUNT });
   const tieScope = signal<"scene" | "keyframe">("scene");
   const isSpaceHeld = signal(false);
-  const editor = createEditor(parts, { shape, spacing, tieScope });
-
-  const hands: Readonly<Record<ToolName, Hand>> = {
-    select: inHand(selectTool, editor),
-    draw: inHand(drawTool, editor),
-    shape: inHand(shapeTool, editor),
-    tie: inHand(tieTool, editor),
-    group: inHand(groupTool, editor),
-    pan: inHand(panTool, editor),
-  };
-  let isPressed = false;
-  /** The rest of a press that only stopped the show. */
-  let isSwallowed = false;
+  const settings = { active, shape, spacing, tieScope };
+  const bench = signal<Workbench | null>(tools?.(parts, settings) ?? null);
+  let loading: Promise<void> | null = null;
+  let waiting: ((bench: Workbench) => void)[] = [];
   let hasPanned = false;
 
-  function cancel(): boolean {
-    const wasPressed = isPressed;
-    isPressed = false;
-    isSwallowed = false;
-    hands[active.peek()].send({ kind: "cancel" });
-    return wasPressed;
+  function wake(): Promise<void> {
+    if (bench.peek()) return Promise.resolve();
+    loading ??= import("./workbench").then((chunk) => {
+      const ready = chunk.createWorkbench(parts, settings);
+      bench.value = ready;
+      for (const ask of waiting) ask(ready);
+      waiting = [];
+    }, retry);
+    return loading;
   }
 
-  // A tool that is put away gives up what it was doing.
-  let last = active.peek();
+  function retry(error: unknown): void {
+    loading = null;
+    waiting = [];
+    const why = error instanceof Error ? error.message : String(error);
+    parts.warn("The tools could not be loaded.", `Check the connection and try again. (${why})`);
+  }
+
+  function whenReady(ask: (bench: Workbench) => void): void {
+    const ready = bench.peek();
+    if (ready) {
+      ask(ready);
+      return;
+    }
+    waiting.push(ask);
+    void wake();
+  }
+
   effect(() => {
-    const next = active.value;
-    if (next === last) return;
-    hands[last].send({ kind: "cancel" });
-    isPressed = false;
-    last = next;
+    if (active.value !== "select") void wake();
   });
 
   return {
-    active,
-    shape,
-    spacing,
-    tieScope,
-    overlay: computed(() => hands[active.value].overlay.value),
-    cursor: computed(() => (isSpaceHeld.value ? "grab" : hands[active.value].cursor.value)),
+    ...settings,
+    overlay: computed(() => bench.value?.overlay.value ?? NO_OVERLAY),
+    cursor: computed(() => (isSpaceHeld.value ? "grab" : (bench.value?.cursor.value ?? "default"))),
     isSpaceHeld,
-    send(event) {
-      if (event.kind === "cancel") {
-        cancel();
-        return;
-      }
-      if (event.kind === "press") {
-        isPressed = true;
-        isSwallowed = settlePress(event, active.peek(), parts, editor);
-      }
-      parts.view.hovered.value = isPressed ? null : editor.agentAt(event);
-      if (!isSwallowed) hands[active.peek()].send(event);
-      if (event.kind === "release") {
-        isPressed = false;
-        isSwallowed = false;
-      }
-    },
-    cancel,
-    placeInMiddle() {
-      const tool = active.peek();
-      if (tool !== "draw" && tool !== "shape") return;
-      settleShow(parts);
-      void settleInMiddle(editor, tool === "draw" ? "line" : shape.peek());
-    },
+    wake,
+    send: (event) => whenReady((ready) => ready.send(event)),
+    cancel: () => bench.peek()?.cancel() ?? false,
+    placeInMiddle: () => whenReady((ready) => ready.placeInMiddle()),
     holdSpace() {
       isSpaceHeld.value = true;
       hasPanned = false;
@@ -111,45 +91,5 @@ export function createToolbox(parts: ToolParts): ToolboxAtWork {
     notePan() {
       hasPanned = true;
     },
-  };
-}
-
-/** Edits happen at a keyframe: while agents move, the nearest is gone to, and it is said. Whether they moved. */
-function settleShow({ document, playback, announce }: ToolParts): boolean {
-  playback.pause();
-  const scene = document.scene.peek();
-  const moment = momentAt(scene, playback.time.peek());
-  document.activeKeyframe.value = moment.kind === "standing" ? moment.keyframe : moment.nearest;
-  if (moment.kind === "standing") return false;
-  playback.seek(mainTrack(scene).keyframes[moment.nearest]?.time ?? 0);
-  announce(`${keyframeLabel(scene, moment.nearest)}: changes are made at keyframes`);
-  return true;
-}
-
-/** Whether the rest of a press is for nothing: it went to a keyframe, where the agent is somewhere else. */
-function settlePress(press: Press, tool: ToolName, parts: ToolParts, editor: Editor): boolean {
-  if (tool === "pan") return false;
-  const agent = editor.agentAt(press);
-  const wasMoving = settleShow(parts);
-  if (!wasMoving || tool === "draw" || tool === "shape") return false;
-  if (agent !== null) parts.document.selection.value = { kind: "agents", agents: new Set([agent]) };
-  return true;
-}
-
-/** A tool with the state it is in. */
-interface Hand {
-  send(event: ToolEvent): void;
-  readonly overlay: ReadonlySignal<Overlay>;
-  readonly cursor: ReadonlySignal<string>;
-}
-
-function inHand<State>(tool: Tool<State>, editor: Editor): Hand {
-  const state = signal(tool.start);
-  return {
-    send(event) {
-      state.value = tool.step(state.peek(), event, editor);
-    },
-    overlay: computed(() => tool.overlay(state.value) ?? NO_OVERLAY),
-    cursor: computed(() => tool.cursor(state.value)),
   };
 }

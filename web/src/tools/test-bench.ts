@@ -13,6 +13,7 @@ import { createView } from "../stage/create-view";
 import type { View } from "../stage/view";
 import { createToolbox, type ToolboxAtWork } from "./create-toolbox";
 import type { Pointing, ToolEvent } from "./tool";
+import { createWorkbench } from "./workbench";
 
 /** Pixels a meter on the bench: an agent is hit within a third of a meter at most. */
 const SCALE = 40;
@@ -66,16 +67,19 @@ export function createBench(...formations: readonly (readonly Point[])[]): Bench
     announced,
     warned,
     assign: async (source) => Uint32Array.from({ length: source.agentCount }, (_, i) => i),
-    toolbox: createToolbox({
-      document,
-      view,
-      playback,
-      ties,
-      engine: { assign: async (source, target) => Uint32Array.from(await bench.assign(source, target)) },
-      shownXy: () => mainTrack(document.scene.peek()).keyframes[document.activeKeyframe.peek()]?.positions.xy ?? [],
-      announce: (text) => announced.push(text),
-      warn: (title) => warned.push(title),
-    }),
+    toolbox: createToolbox(
+      {
+        document,
+        view,
+        playback,
+        ties,
+        engine: { assign: async (source, target) => Uint32Array.from(await bench.assign(source, target)) },
+        shownXy: () => mainTrack(document.scene.peek()).keyframes[document.activeKeyframe.peek()]?.positions.xy ?? [],
+        announce: (text) => announced.push(text),
+        warn: (title) => warned.push(title),
+      },
+      createWorkbench,
+    ),
     press: (at, held) => bench.toolbox.send({ kind: "press", isDouble: false, ...pointing(at, held) }),
     move: (at, held) => bench.toolbox.send({ kind: "move", ...pointing(at, held) }),
     release: (at, held) => bench.toolbox.send({ kind: "release", ...pointing(at, held) }),

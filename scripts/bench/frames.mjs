@@ -1,0 +1,87 @@
+import { root } from "../steps/run.mjs";
+import { BROWSER_FLAGS } from "./rows.mjs";
+
+const SECONDS = 5;
+
+/** A show of agents strewn over a square, as keyframe CSV; x and y from a seeded generator. */
+function showCsv(agentCount, keyframeCount) {
+  let state = 1;
+  const next = () => {
+    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+    return state / 0xffff_ffff;
+  };
+  const side = Math.sqrt(agentCount) * 1.5;
+  const rows = ["keyframe,time,agent,group,x,y"];
+  for (let k = 0; k < keyframeCount; k += 1) {
+    for (let agent = 0; agent < agentCount; agent += 1) {
+      rows.push(`${k},${k * 10},${agent},g${agent % 5},${(next() - 0.5) * side},${(next() - 0.5) * side}`);
+    }
+  }
+  return rows.join("\n");
+}
+
+/** Gaps between animation frames over some seconds, milliseconds. */
+function gaps(page, seconds) {
+  return page.evaluate(
+    (limit) =>
+      new Promise((resolve) => {
+        const found = [];
+        const start = performance.now();
+        let last = start;
+        const step = (now) => {
+          found.push(now - last);
+          last = now;
+          if (now - start > limit * 1000) resolve(found.slice(1));
+          else requestAnimationFrame(step);
+        };
+        requestAnimationFrame(step);
+      }),
+    seconds,
+  );
+}
+
+const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
+
+async function dropCsv(page, text) {
+  const data = await page.evaluateHandle((csv) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([csv], "show.csv", { type: "text/csv" }));
+    return transfer;
+  }, text);
+  await page.dispatchEvent("html", "drop", { dataTransfer: data });
+}
+
+/** What playing and planning cost the page, a line each. */
+export async function playbackRows(executablePath) {
+  const [{ preview }, { chromium }] = await Promise.all([import("vite"), import("@playwright/test")]);
+  const server = await preview({
+    root: `${root}/web`,
+    configFile: `${root}/vite.config.ts`,
+    logLevel: "error",
+    preview: { host: "127.0.0.1", port: 4190 },
+  });
+  const browser = await chromium.launch({ executablePath, args: BROWSER_FLAGS });
+  const lines = [];
+  try {
+    for (const agentCount of [300, 1260]) {
+      const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" });
+      await page.goto(server.resolvedUrls.local[0]);
+      await page.getByRole("button", { name: "New", exact: true }).click();
+      await dropCsv(page, showCsv(agentCount, 2));
+      await page.getByRole("listbox", { name: "Keyframes" }).getByRole("option").nth(1).waitFor();
+      const planning = await gaps(page, 4);
+      await page.waitForFunction(() => !/Planning/.test(document.body.textContent ?? ""), null, { timeout: 120_000 });
+      await page.getByRole("button", { name: "Play", exact: true }).click();
+      const playing = await gaps(page, SECONDS);
+      const late = playing.filter((gap) => gap > 25).length;
+      lines.push(
+        `${agentCount} agents: ${(1000 / median(playing)).toFixed(0)} frames/s playing, ${late} of ${playing.length} frames late (> 25 ms), longest gap ${Math.max(...playing).toFixed(0)} ms; longest gap while planning ${Math.max(...planning).toFixed(0)} ms`,
+      );
+      await page.close();
+    }
+  } finally {
+    await browser.close();
+    await new Promise((resolve) => server.httpServer.close(resolve));
+  }
+  return lines;
+}

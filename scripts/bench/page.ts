@@ -1,0 +1,101 @@
+import { mainTrack, type Scene } from "../../web/src/document/scene";
+import { Ledger } from "../../web/src/engine/ledger";
+import init, { Engine } from "../../web/src/engine/pkg/engine.js";
+import wasmUrl from "../../web/src/engine/pkg/engine_bg.wasm?url";
+import { strewn, strewnShow } from "./scenes";
+
+/** Times the engine in the page itself, without the worker's messages; milliseconds, one entry a run. */
+
+await init({ module_or_path: wasmUrl });
+
+function take(engine: Engine, ledger: Ledger, scene: Scene): void {
+  const message = ledger.message(scene);
+  for (const [id, xy] of message.added) engine.put_formation(id, xy);
+  engine.set_scene(message.rest ?? undefined, Uint32Array.from(message.formations));
+}
+
+function performAll(engine: Engine, scene: Scene): void {
+  for (const [segment] of mainTrack(scene).segments.entries()) while (engine.step(segment) < 1);
+}
+
+function timed(work: () => void): number {
+  const start = performance.now();
+  work();
+  return performance.now() - start;
+}
+
+/** A first run in the compiler's slow tier is not counted. */
+function runs(count: number, work: () => number): number[] {
+  work();
+  return Array.from({ length: count }, work);
+}
+
+function movedAgent(agentCount: number, method: "spectral" | "auto", count: number): number[] {
+  const scene = strewnShow(agentCount, 3, 10, method);
+  let seed = 100;
+  const engine = new Engine();
+  const ledger = new Ledger();
+  take(engine, ledger, scene);
+  performAll(engine, scene);
+  return runs(count, () => {
+    seed += 1;
+    const track = mainTrack(scene);
+    const keyframes = track.keyframes.map((keyframe, k) =>
+      k === 1 ? { ...keyframe, positions: strewn(agentCount, seed) } : keyframe,
+    );
+    const moved = { ...scene, tracks: [{ ...track, keyframes }] };
+    return timed(() => {
+      take(engine, ledger, moved);
+      performAll(engine, moved);
+    });
+  });
+}
+
+function whole(scene: Scene, count: number): number[] {
+  return runs(count, () => {
+    const engine = new Engine();
+    take(engine, new Ledger(), scene);
+    const time = timed(() => performAll(engine, scene));
+    engine.free();
+    return time;
+  });
+}
+
+/** The second step of a spectral segment is its source's eigenbasis, and nothing else. */
+function eigenbasis(agentCount: number, count: number): number[] {
+  const scene = strewnShow(agentCount, 2, 10, "spectral");
+  return runs(count, () => {
+    const engine = new Engine();
+    take(engine, new Ledger(), scene);
+    engine.step(0);
+    const time = timed(() => engine.step(0));
+    engine.free();
+    return time;
+  });
+}
+
+function assignment(agentCount: number, count: number): number[] {
+  const engine = new Engine();
+  const [source, target] = [strewn(agentCount, 1).xy, strewn(agentCount, 2).xy];
+  return runs(count, () => timed(() => engine.assign(source, target)));
+}
+
+const rows: Record<string, () => number[]> = {
+  "eigenbasis 300": () => eigenbasis(300, 9),
+  "eigenbasis 1260": () => eigenbasis(1260, 5),
+  "assignment 1260": () => assignment(1260, 7),
+  "moved agent 60": () => movedAgent(60, "spectral", 15),
+  "moved agent 300": () => movedAgent(300, "spectral", 9),
+  "moved agent 25 auto": () => movedAgent(25, "auto", 15),
+  "one transition of 1260": () => whole(strewnShow(1260, 2, 10, "spectral"), 3),
+  "show of 200 x 23 auto": () => whole(strewnShow(200, 23, 10, "auto"), 3),
+};
+
+declare global {
+  interface Window {
+    benchRows: readonly string[];
+    benchRow(name: string): number[];
+  }
+}
+window.benchRows = Object.keys(rows);
+window.benchRow = (name) => rows[name]?.() ?? [];

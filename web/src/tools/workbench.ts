@@ -1,0 +1,128 @@
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { keyframeLabel } from "../document/queries";
+import { mainTrack } from "../document/scene";
+import { momentAt } from "../document/timing";
+import { createEditor, type ToolParts } from "./create-editor";
+import { drawTool } from "./draw";
+import { groupTool } from "./group";
+import { panTool } from "./pan";
+import { settleInMiddle } from "./place";
+import { selectTool } from "./select";
+import { shapeTool } from "./shape";
+import { tieTool } from "./tie";
+import { type Editor, NO_OVERLAY, type Press, type Tool, type ToolEvent } from "./tool";
+import type { Overlay, Toolbox, ToolName } from "./toolbox";
+
+/** The tools themselves, at work; loaded when the first is wanted. */
+export interface Workbench {
+  readonly overlay: ReadonlySignal<Overlay>;
+  readonly cursor: ReadonlySignal<string>;
+  send(event: ToolEvent): void;
+  /** Gives up the gesture under way; whether there was one. */
+  cancel(): boolean;
+  placeInMiddle(): void;
+}
+
+export type Settings = Pick<Toolbox, "active" | "shape" | "spacing" | "tieScope">;
+
+export function createWorkbench(parts: ToolParts, settings: Settings): Workbench {
+  const { active, shape } = settings;
+  const editor = createEditor(parts, settings);
+  const hands: Readonly<Record<ToolName, Hand>> = {
+    select: inHand(selectTool, editor),
+    draw: inHand(drawTool, editor),
+    shape: inHand(shapeTool, editor),
+    tie: inHand(tieTool, editor),
+    group: inHand(groupTool, editor),
+    pan: inHand(panTool, editor),
+  };
+  let isPressed = false;
+  /** The rest of a press that only stopped the show. */
+  let isSwallowed = false;
+
+  function cancel(): boolean {
+    const wasPressed = isPressed;
+    isPressed = false;
+    isSwallowed = false;
+    hands[active.peek()].send({ kind: "cancel" });
+    return wasPressed;
+  }
+
+  // A tool that is put away gives up what it was doing.
+  let last = active.peek();
+  effect(() => {
+    const next = active.value;
+    if (next === last) return;
+    hands[last].send({ kind: "cancel" });
+    isPressed = false;
+    last = next;
+  });
+
+  return {
+    overlay: computed(() => hands[active.value].overlay.value),
+    cursor: computed(() => hands[active.value].cursor.value),
+    send(event) {
+      if (event.kind === "cancel") {
+        cancel();
+        return;
+      }
+      if (event.kind === "press") {
+        isPressed = true;
+        isSwallowed = settlePress(event, active.peek(), parts, editor);
+      }
+      parts.view.hovered.value = isPressed ? null : editor.agentAt(event);
+      if (!isSwallowed) hands[active.peek()].send(event);
+      if (event.kind === "release") {
+        isPressed = false;
+        isSwallowed = false;
+      }
+    },
+    cancel,
+    placeInMiddle() {
+      const tool = active.peek();
+      if (tool !== "draw" && tool !== "shape") return;
+      settleShow(parts);
+      void settleInMiddle(editor, tool === "draw" ? "line" : shape.peek());
+    },
+  };
+}
+
+/** Edits happen at a keyframe: while agents move, the nearest is gone to, and it is said. Whether they moved. */
+function settleShow({ document, playback, announce }: ToolParts): boolean {
+  playback.pause();
+  const scene = document.scene.peek();
+  const moment = momentAt(scene, playback.time.peek());
+  document.activeKeyframe.value = moment.kind === "standing" ? moment.keyframe : moment.nearest;
+  if (moment.kind === "standing") return false;
+  playback.seek(mainTrack(scene).keyframes[moment.nearest]?.time ?? 0);
+  announce(`${keyframeLabel(scene, moment.nearest)}: changes are made at keyframes`);
+  return true;
+}
+
+/** Whether the rest of a press is for nothing: it went to a keyframe, where the agent is somewhere else. */
+function settlePress(press: Press, tool: ToolName, parts: ToolParts, editor: Editor): boolean {
+  if (tool === "pan") return false;
+  const agent = editor.agentAt(press);
+  const wasMoving = settleShow(parts);
+  if (!wasMoving || tool === "draw" || tool === "shape") return false;
+  if (agent !== null) parts.document.selection.value = { kind: "agents", agents: new Set([agent]) };
+  return true;
+}
+
+/** A tool with the state it is in. */
+interface Hand {
+  send(event: ToolEvent): void;
+  readonly overlay: ReadonlySignal<Overlay>;
+  readonly cursor: ReadonlySignal<string>;
+}
+
+function inHand<State>(tool: Tool<State>, editor: Editor): Hand {
+  const state = signal(tool.start);
+  return {
+    send(event) {
+      state.value = tool.step(state.peek(), event, editor);
+    },
+    overlay: computed(() => tool.overlay(state.value) ?? NO_OVERLAY),
+    cursor: computed(() => tool.cursor(state.value)),
+  };
+}
