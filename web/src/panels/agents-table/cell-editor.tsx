@@ -1,7 +1,7 @@
 import { useRef, useState } from "preact/hooks";
 
-/** How an edit of a cell ends, and where the person goes from there. */
-export type EditEnd = "stay" | "down" | "right" | "left";
+/** How an edit of a cell ends, and where the person goes from there: out of the table, or to a cell. */
+export type EditEnd = "leave" | "stay" | "down" | "right" | "left";
 
 /** A cell while it is typed into. */
 export function CellEditor(props: {
@@ -38,7 +38,7 @@ export function CellEditor(props: {
       spellcheck={false}
       value={text}
       onInput={(event) => setText(event.currentTarget.value)}
-      onBlur={() => end(text, "stay")}
+      onBlur={() => end(text, "leave")}
       onPointerDown={(event) => event.stopPropagation()}
       onKeyDown={(event) => {
         event.stopPropagation();

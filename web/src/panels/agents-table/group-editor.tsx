@@ -8,10 +8,10 @@ export function GroupEditor(props: { label: string; agent: number; onEnd(key: st
   const { document } = useStudio();
   const scene = document.scene.value;
   const isOver = useRef(false);
-  function end(key: string | null): void {
+  function end(key: string | null, way: EditEnd): void {
     if (isOver.current) return;
     isOver.current = true;
-    props.onEnd(key, "stay");
+    props.onEnd(key, way);
   }
   return (
     <select
@@ -21,13 +21,13 @@ export function GroupEditor(props: { label: string; agent: number; onEnd(key: st
       }}
       aria-label={props.label}
       value={membershipOf(scene, props.agent)}
-      onChange={(event) => end(event.currentTarget.value)}
-      onBlur={() => end(null)}
+      onChange={(event) => end(event.currentTarget.value, "stay")}
+      onBlur={() => end(null, "leave")}
       onPointerDown={(event) => event.stopPropagation()}
       onKeyDown={(event) => {
         event.stopPropagation();
-        if (event.key === "Escape" || event.key === "Enter")
-          end(event.key === "Enter" ? event.currentTarget.value : null);
+        if (event.key === "Escape") end(null, "stay");
+        if (event.key === "Enter") end(event.currentTarget.value, "stay");
       }}
     >
       {memberships(scene).map(({ key, label }) => (

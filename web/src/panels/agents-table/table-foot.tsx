@@ -1,5 +1,6 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import { keyframeLabel } from "../../document/queries";
+import { mainTrack } from "../../document/scene";
 import { formatTime } from "../../document/units";
 import { useStudio } from "../studio";
 
@@ -7,6 +8,7 @@ import { useStudio } from "../studio";
 export function TableFoot({ keyframe }: { keyframe: ReadonlySignal<number | null> }) {
   const { document, playback } = useStudio();
   const text = useComputed(() => {
+    if (mainTrack(document.scene.value).agents.length === 0) return "Nobody yet. Draw a formation on the stage.";
     if (keyframe.value !== null)
       return `At ${keyframeLabel(document.scene.value, keyframe.value)}. Enter edits a cell.`;
     if (playback.isPlaying.value) return "Playing. Stop at a keyframe to edit places.";
