@@ -10,6 +10,7 @@ const WASM_LIMIT = 400_000;
 /** The files a first visit loads before anything is opened: the entry, what it imports at once, and the worker. */
 async function firstLoad() {
   const manifest = JSON.parse(await readFile(join(DIST, ".vite/manifest.json"), "utf8"));
+  const page = await readFile(join(DIST, "index.html"), "utf8");
   const files = new Set();
   const visit = (name) => {
     const chunk = manifest[name];
@@ -17,7 +18,8 @@ async function firstLoad() {
     files.add(chunk.file);
     for (const imported of chunk.imports ?? []) visit(imported);
   };
-  visit("index.html");
+  for (const [name, chunk] of Object.entries(manifest))
+    if (chunk.file.endsWith(".js") && page.includes(chunk.file)) visit(name);
   const assets = await readdir(join(DIST, "assets"));
   for (const asset of assets) if (/^worker-.*\.js$/.test(asset)) files.add(`assets/${asset}`);
   return {

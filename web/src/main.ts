@@ -17,7 +17,7 @@ import { attachDrop, pickFile } from "./files/drop";
 import { FIRST_EXAMPLE, readExample } from "./files/examples";
 import { createIntake, problemFrom, sentence } from "./files/intake";
 import { keepScene } from "./files/keep";
-import { attachClipboard, createAgentClipboard } from "./panels/clipboard-actions";
+import { attachClipboard } from "./panels/clipboard-events";
 import { createActions } from "./panels/create-actions";
 import { createDialogs } from "./panels/dialogs/dialogs";
 import { DialogHost } from "./panels/dialogs/host";
@@ -25,6 +25,7 @@ import type { DialogServices } from "./panels/dialogs/services";
 import type { ActionParts } from "./panels/doing";
 import { followPlayhead } from "./panels/follow-playhead";
 import { attachKeyboard } from "./panels/keyboard";
+import { laterHandiwork } from "./panels/later-handiwork";
 import { createMessages } from "./panels/messages";
 import { mountPanels } from "./panels/mount";
 import { showOf } from "./panels/show-of";
@@ -138,8 +139,8 @@ const actionParts: ActionParts = {
     palette: () => dialogs.show({ kind: "palette" }),
   },
 };
-const agentClipboard = createAgentClipboard(actionParts);
-const actions = createActions(actionParts, agentClipboard);
+const handiwork = laterHandiwork(actionParts);
+const actions = createActions(actionParts, handiwork);
 const studio: Studio = { document: store, playback, view, planner, engine, toolbox, actions, messages };
 
 const services: DialogServices = {
@@ -172,7 +173,7 @@ mountPanels(root, studio, {
   Dialogs: () => h(DialogHost, { dialogs, services }),
 });
 attachKeyboard(window, { actions, isMac, holdSpace: toolbox.holdSpace, releaseSpace: toolbox.releaseSpace });
-attachClipboard(document, agentClipboard);
+attachClipboard(document, handiwork.clipboard);
 attachDrop(
   document.documentElement,
   (file) => void intake.openFile(file),

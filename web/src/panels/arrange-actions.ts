@@ -9,7 +9,7 @@ import { mainTrack } from "../document/scene";
 import type { Command } from "../document/store";
 import { type ActionParts, type Doing, type Doings, here, performOrSay } from "./doing";
 
-type ArrangeId =
+export type ArrangeId =
   | `align-${Edge}`
   | "distribute-horizontally"
   | "distribute-vertically"

@@ -2,18 +2,11 @@ import { computed } from "@preact/signals";
 import { agentsAsText, pasteAt, textAsKeyframes } from "../document/clipboard";
 import { selectedAgents } from "../document/queries";
 import { EngineError } from "../engine/api";
+import type { AgentClipboard } from "./clipboard-events";
 import { type ActionParts, type Doings, here, performOrSay } from "./doing";
-import { isTextField } from "./keyboard";
 
 /** Larger pastes are files: they are opened, not pasted. */
 const LONGEST_PASTE = 1_000_000;
-
-/** Copying and pasting agents as text, by key, by menu and by the palette. */
-export interface AgentClipboard {
-  /** The selected agents as text; empty when there are none. */
-  copied(): string;
-  paste(text: string): Promise<void>;
-}
 
 export function createAgentClipboard(parts: ActionParts): AgentClipboard {
   const { document, engine, messages } = parts;
@@ -66,28 +59,5 @@ export function clipboardActions(parts: ActionParts, agents: AgentClipboard): Do
         clipboard.readText().then((text) => agents.paste(text), blocked);
       },
     },
-  };
-}
-
-/** The browser's own copy and paste, which need no permission. Answers how to stop. */
-export function attachClipboard(page: Document, agents: AgentClipboard): () => void {
-  function onCopy(event: ClipboardEvent): void {
-    const text = agents.copied();
-    const isReading = !(page.getSelection()?.isCollapsed ?? true);
-    if (isTextField(event.target) || isReading || text === "" || event.defaultPrevented) return;
-    event.clipboardData?.setData("text/plain", text);
-    event.preventDefault();
-  }
-  function onPaste(event: ClipboardEvent): void {
-    const text = event.clipboardData?.getData("text/plain") ?? "";
-    if (isTextField(event.target) || text === "" || event.defaultPrevented) return;
-    event.preventDefault();
-    void agents.paste(text);
-  }
-  page.addEventListener("copy", onCopy);
-  page.addEventListener("paste", onPaste);
-  return () => {
-    page.removeEventListener("copy", onCopy);
-    page.removeEventListener("paste", onPaste);
   };
 }

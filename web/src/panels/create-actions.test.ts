@@ -11,9 +11,11 @@ import { createPlayback, type Playback } from "../playback/playback";
 import { createView } from "../stage/create-view";
 import type { Toolbox } from "../tools/toolbox";
 import type { Actions } from "./actions";
-import { type AgentClipboard, createAgentClipboard } from "./clipboard-actions";
+import type { AgentClipboard } from "./clipboard-events";
 import { createActions } from "./create-actions";
 import { followPlayhead } from "./follow-playhead";
+import { createHandiwork } from "./handiwork";
+import { handiworkThrough } from "./later-handiwork";
 import { createMessages, type Messages } from "./messages";
 
 const FOUR: readonly Point[] = [
@@ -83,8 +85,12 @@ beforeEach(() => {
       palette: nothing,
     },
   };
-  clipboard = createAgentClipboard(parts);
-  actions = createActions(parts, clipboard);
+  const handiwork = createHandiwork(parts);
+  clipboard = handiwork.clipboard;
+  actions = createActions(
+    parts,
+    handiworkThrough(signal(handiwork), async () => handiwork, parts),
+  );
   followPlayhead(document, playback);
 });
 

@@ -1,21 +1,20 @@
 import type { Action, Actions } from "./actions";
-import { arrangeActions } from "./arrange-actions";
-import { type AgentClipboard, clipboardActions } from "./clipboard-actions";
 import type { ActionParts, Doing, Doings } from "./doing";
-import { editActions } from "./edit-actions";
+import type { HandiworkId } from "./handiwork";
+import { historyActions } from "./history-actions";
+import type { LaterHandiwork } from "./later-handiwork";
 import { type ActionId, keysOf, SHORTCUTS } from "./shortcuts";
 import { showActions } from "./show-actions";
 import { viewActions } from "./view-actions";
 
 /** Every action of the page: the words and keys of the table with what they do. */
-export function createActions(parts: ActionParts, agents: AgentClipboard): Actions {
+export function createActions(parts: ActionParts, handiwork: LaterHandiwork): Actions {
   const { files } = parts;
   const doings: Doings<ActionId> = {
     ...viewActions(parts),
     ...showActions(parts),
-    ...editActions(parts),
-    ...arrangeActions(parts),
-    ...clipboardActions(parts, agents),
+    ...historyActions(parts),
+    ...handiworkDoings(handiwork),
     new: { run: files.new },
     open: { run: files.open },
     save: { run: files.save },
@@ -40,4 +39,41 @@ export function createActions(parts: ActionParts, agents: AgentClipboard): Actio
 function actionOf(id: ActionId, doing: Doing): Action {
   const { label, section } = SHORTCUTS[id];
   return { id, label, section, keys: keysOf(id), ...doing };
+}
+
+const HANDIWORK = [
+  "duplicate",
+  "delete",
+  "nudge-left",
+  "nudge-right",
+  "nudge-up",
+  "nudge-down",
+  "push-left",
+  "push-right",
+  "push-up",
+  "push-down",
+  "align-left",
+  "align-center",
+  "align-right",
+  "align-top",
+  "align-middle",
+  "align-bottom",
+  "distribute-horizontally",
+  "distribute-vertically",
+  "flip-horizontal",
+  "flip-vertical",
+  "rotate-left",
+  "rotate-right",
+  "make-group",
+  "dissolve-group",
+  "tie-selected",
+  "tie-group",
+  "copy",
+  "paste",
+] as const satisfies readonly HandiworkId[];
+
+function handiworkDoings(handiwork: LaterHandiwork): Doings<HandiworkId> {
+  const doings = HANDIWORK.map((id) => [id, handiwork.doing(id)] as const);
+  // The list above names each of them: a missing one fails the table of actions in its test.
+  return Object.fromEntries(doings) as Doings<HandiworkId>;
 }

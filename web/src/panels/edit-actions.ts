@@ -5,24 +5,18 @@ import { deleteKeyframe } from "../document/commands/keyframes";
 import { cutTie, WHOLE_SCENE } from "../document/commands/ties";
 import type { Point } from "../document/formation";
 import { mostAgents } from "../document/limits";
-import { allAgents, selectedAgents } from "../document/queries";
+import { selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import { NOTHING } from "../document/selection";
 import { nudgeSteps } from "../document/snap";
 import { formatCount } from "../document/units";
 import { type ActionParts, type Doing, type Doings, here } from "./doing";
 
-type EditId =
-  | "undo"
-  | "redo"
-  | "select-all"
-  | "duplicate"
-  | "delete"
-  | `${"nudge" | "push"}-${"left" | "right" | "up" | "down"}`;
+export type EditId = "duplicate" | "delete" | `${"nudge" | "push"}-${"left" | "right" | "up" | "down"}`;
 
+/** What is done to whatever is selected. */
 export function editActions(parts: ActionParts): Doings<EditId> {
   const { document, messages } = parts;
-  const hasAgents = computed(() => mainTrack(document.scene.value).agents.length > 0);
   const hasSelected = computed(() => selectedAgents(document.scene.value, document.selection.value).size > 0);
   const movesAgents = computed(() => hasSelected.value && document.selection.value.kind !== "tie");
 
@@ -42,26 +36,6 @@ export function editActions(parts: ActionParts): Doings<EditId> {
   }
 
   return {
-    undo: {
-      isEnabled: computed(() => document.undoLabel.value !== null || document.isDragging.value),
-      run() {
-        document.undo();
-        messages.announce(`Undone: ${document.redoLabel.peek() ?? ""}`);
-      },
-    },
-    redo: {
-      isEnabled: computed(() => document.redoLabel.value !== null),
-      run() {
-        document.redo();
-        messages.announce(`Redone: ${document.undoLabel.peek() ?? ""}`);
-      },
-    },
-    "select-all": {
-      isEnabled: hasAgents,
-      run() {
-        document.selection.value = { kind: "agents", agents: allAgents(document.scene.peek()) };
-      },
-    },
     duplicate: {
       isEnabled: movesAgents,
       run() {

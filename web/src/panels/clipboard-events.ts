@@ -1,0 +1,31 @@
+import { isTextField } from "./keyboard";
+
+/** Copying and pasting agents as text, by key, by menu and by the palette. */
+export interface AgentClipboard {
+  /** The selected agents as text; empty when there are none. */
+  copied(): string;
+  paste(text: string): Promise<void>;
+}
+
+/** The browser's own copy and paste, which need no permission. Answers how to stop. */
+export function attachClipboard(page: Document, agents: AgentClipboard): () => void {
+  function onCopy(event: ClipboardEvent): void {
+    const text = agents.copied();
+    const isReading = !(page.getSelection()?.isCollapsed ?? true);
+    if (isTextField(event.target) || isReading || text === "" || event.defaultPrevented) return;
+    event.clipboardData?.setData("text/plain", text);
+    event.preventDefault();
+  }
+  function onPaste(event: ClipboardEvent): void {
+    const text = event.clipboardData?.getData("text/plain") ?? "";
+    if (isTextField(event.target) || text === "" || event.defaultPrevented) return;
+    event.preventDefault();
+    void agents.paste(text);
+  }
+  page.addEventListener("copy", onCopy);
+  page.addEventListener("paste", onPaste);
+  return () => {
+    page.removeEventListener("copy", onCopy);
+    page.removeEventListener("paste", onPaste);
+  };
+}

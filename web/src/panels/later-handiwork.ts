@@ -1,0 +1,75 @@
+import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import type { AgentClipboard } from "./clipboard-events";
+import type { ActionParts, Doing, Doings } from "./doing";
+import type { Handiwork, HandiworkId } from "./handiwork";
+
+/** Handiwork that may still be on its way: what is asked of it meanwhile is done when it comes. */
+export interface LaterHandiwork {
+  doing(id: HandiworkId): Doing;
+  readonly clipboard: AgentClipboard;
+}
+
+/** Fetched when something is selected for the first time, or pasted. */
+export function laterHandiwork(parts: ActionParts): LaterHandiwork {
+  const ready = signal<Handiwork | null>(null);
+  let loading: Promise<Handiwork> | null = null;
+
+  function load(): Promise<Handiwork> {
+    loading ??= import("./handiwork").then(
+      (chunk) => {
+        const handiwork = chunk.createHandiwork(parts);
+        ready.value = handiwork;
+        return handiwork;
+      },
+      (error: unknown) => {
+        loading = null;
+        parts.messages.say({
+          tone: "problem",
+          title: "A part of the page did not load.",
+          text: "Check the connection and try it again; the scene is unchanged.",
+        });
+        throw error;
+      },
+    );
+    return loading;
+  }
+
+  effect(() => {
+    if (parts.document.selection.value.kind !== "none") load().catch(() => {});
+  });
+
+  return handiworkThrough(ready, load, parts);
+}
+
+/** The doings as they are, or as they will be. */
+export function handiworkThrough(
+  ready: ReadonlySignal<Handiwork | null>,
+  load: () => Promise<Handiwork>,
+  { document }: ActionParts,
+): LaterHandiwork {
+  function run(doings: Doings<HandiworkId>, id: HandiworkId): void {
+    const doing: Doing = doings[id];
+    if (doing.isEnabled?.peek() ?? true) doing.run();
+  }
+  return {
+    doing: (id) => ({
+      isEnabled: computed(() => {
+        const doing: Doing | undefined = ready.value?.doings[id];
+        return doing ? (doing.isEnabled?.value ?? true) : id === "paste" || document.selection.value.kind !== "none";
+      }),
+      run() {
+        const now = ready.peek();
+        if (now) run(now.doings, id);
+        else
+          load().then(
+            (handiwork) => run(handiwork.doings, id),
+            () => {},
+          );
+      },
+    }),
+    clipboard: {
+      copied: () => ready.peek()?.clipboard.copied() ?? "",
+      paste: (text) => load().then((handiwork) => handiwork.clipboard.paste(text)),
+    },
+  };
+}
