@@ -163,6 +163,8 @@ createStage(stageHost, {
   toolbox,
 });
 attachTools(stageHost, toolbox, view, isMac);
+// Nobody is told to draw on an empty stage while their own scene is on its way.
+stageHost.style.visibility = "hidden";
 
 const root = document.getElementById("app");
 if (!root) throw new Error("the page has a place for the app");
@@ -240,4 +242,5 @@ try {
 } catch (error) {
   messages.say({ tone: "problem", title: "The first scene did not open.", text: sentence(problemFrom(error)) });
 }
+stageHost.style.visibility = "";
 keepScene(store, autosave, engine);

@@ -1,9 +1,10 @@
 import type { Canvases } from "./canvases";
 import type { Cast } from "./cast";
-import { drawHandles, type HandlesPicture } from "./draw-handles";
+import type { HandlesPicture } from "./draw-handles";
 import { createMotionPainter, type MotionPicture, outlinedGroup } from "./draw-motion";
 import { Frame } from "./frame";
 import type { StageInputs } from "./inputs";
+import { later } from "./later";
 import { drawBackdrop } from "./layers/backdrop";
 import { drawGhosts, drawTargets } from "./layers/onion";
 import { Onion } from "./onion";
@@ -11,6 +12,9 @@ import type { Palette } from "./palette";
 import { createSceneryKeeper } from "./scenery";
 import { spacingAt, transitionSpacing } from "./spacing";
 import type { Subject } from "./subject";
+
+/** Nothing is selected at first. */
+const handiwork = later(() => import("./draw-handles"));
 
 /** Which canvases show something old. */
 export interface Needs {
@@ -111,7 +115,7 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     const isEmpty = handles.selected.size === 0 && handles.hovered === null && handles.overlay.kind === "none";
     // An empty sheet laid over the others would cost every frame.
     canvases.handles.canvas.hidden = isEmpty;
-    if (!isEmpty) drawHandles(canvases.handles, frame, handles);
+    if (!isEmpty) handiwork()?.drawHandles(canvases.handles, frame, handles);
   }
 
   return {

@@ -4,6 +4,7 @@ import { createCanvases } from "./canvases";
 import { castOf } from "./cast";
 import { createEmptyState } from "./empty-state";
 import type { StageInputs } from "./inputs";
+import { arrivals } from "./later";
 import { createLoop } from "./loop";
 import { createPace } from "./pace";
 import { createPainter, type Look, type Needs, type Painter } from "./painter";
@@ -93,6 +94,10 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
     effect(() => {
       void [view.camera.value, look.value, view.layers.value, scene.value.stage];
       need("backdrop", "motion", "handles");
+    }),
+    effect(() => {
+      void arrivals.value;
+      need("backdrop", "handles");
     }),
     effect(() => {
       void [playback.time.value, show.value, subject.ties.value, scene.value, toolbox.active.value];

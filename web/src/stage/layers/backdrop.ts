@@ -1,12 +1,12 @@
 import type { Stage } from "../../document/scene";
 import { type Bounds, toStage } from "../camera";
 import type { Frame } from "../frame";
+import { later } from "../later";
 import { sheetOf } from "../sheet";
 import { crisp } from "./crisp";
-import { drawFootball } from "./football";
 import { drawAxisNumbers, drawGrid } from "./grid";
-import { drawSoccer } from "./soccer";
-import { drawTheater } from "./theater";
+
+const painted = later(() => import("./painted"));
 
 const CORNER = 3;
 
@@ -31,25 +31,8 @@ export function drawBackdrop(context: CanvasRenderingContext2D, frame: Frame, st
 
   context.save();
   if (stage.backdrop !== "stage") context.clip();
-  switch (stage.backdrop) {
-    case "grid":
-      drawGrid(context, frame, sheet, stage.units);
-      break;
-    case "football-college":
-      drawFootball(context, frame, sheet, "college");
-      break;
-    case "football-hs":
-      drawFootball(context, frame, sheet, "high-school");
-      break;
-    case "soccer":
-      drawSoccer(context, frame);
-      break;
-    case "stage":
-      drawTheater(context, frame, sheet);
-      break;
-    case "none":
-      break;
-  }
+  if (stage.backdrop === "grid") drawGrid(context, frame, sheet, stage.units);
+  else if (stage.backdrop !== "none") painted()?.drawPainted(context, frame, sheet, stage);
   context.restore();
 
   if (stage.backdrop === "grid" && !bleeds) drawAxisNumbers(context, frame, sheet, stage.units);
