@@ -53,7 +53,9 @@ export function AgentsTable() {
         >
           <thead>
             <tr aria-rowindex={1}>
-              <th scope="col">Name</th>
+              <th scope="col" class="cell-name">
+                Name
+              </th>
               <th scope="col">Group</th>
               <th scope="col" class="cell-x">
                 x, {scene.stage.units}
