@@ -1,5 +1,6 @@
 import type { JSX } from "preact";
 import type { Keyframe } from "../../document/scene";
+import { formatDuration } from "../../document/units";
 import { shortTime } from "./clock";
 import type { KeyframePlace } from "./layout";
 import { placed } from "./place";
@@ -33,7 +34,7 @@ export function KeyframeOption(props: KeyframeOptionProps) {
       role="option"
       aria-selected={props.isSelected}
       aria-label={name}
-      aria-description={`at ${shortTime(keyframe.time)}${keyframe.hold > 0 ? `, holds ${shortTime(keyframe.hold)}` : ""}`}
+      aria-description={`at ${shortTime(keyframe.time)}${keyframe.hold > 0 ? `, holds ${formatDuration(keyframe.hold)}` : ""}`}
       tabIndex={props.isFocusable ? 0 : -1}
       data-index={index}
       {...props.handlers}

@@ -1,3 +1,6 @@
+import { useSignalEffect } from "@preact/signals";
+import type { Ref } from "preact";
+import { useLayoutEffect, useRef } from "preact/hooks";
 import { lengthWithUnit } from "../../document/units";
 import { useStudio } from "../studio";
 import { shortTime } from "./clock";
@@ -40,6 +43,8 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
   const cut = inset + momentX(moment, width, 3.5);
   const method = plan ? METHOD_WORDS[plan.report.choice.method] : "";
 
+  const labels = useSeenPart(place, viewport);
+
   const choose = (clientX: number, element: Element) => {
     document.selection.value = { kind: "transition", index };
     const box = element.getBoundingClientRect();
@@ -77,17 +82,33 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
           )}
         </svg>
         {place.width >= ROOM_FOR_NUMBER && (
-          <span class="ribbon-label known number">
-            {(place.width >= ROOM_FOR_METHOD || !distance) && <span>{method || words}</span>}
-            {distance && <span class="clearance">{distance}</span>}
+          <span ref={labels} class="ribbon-labels number">
+            <span class="known">
+              {(place.width >= ROOM_FOR_METHOD || !distance) && <span>{method || words}</span>}
+              {distance && <span class="clearance">{distance}</span>}
+            </span>
+            {progress !== null && plan && <span class="pending">{words}</span>}
           </span>
-        )}
-        {place.width >= ROOM_FOR_NUMBER && progress !== null && plan && (
-          <span class="ribbon-label pending number">{words}</span>
         )}
       </button>
     </li>
   );
+}
+
+/** Keeps an element in the middle of that part of a ribbon which is in the window. */
+function useSeenPart({ left, width }: TransitionPlace, viewport: Viewport): Ref<HTMLSpanElement> {
+  const element = useRef<HTMLSpanElement>(null);
+  const stand = () => {
+    const from = Math.max(0, viewport.scroll.value - left);
+    const to = Math.min(width, viewport.scroll.value + viewport.width.value - left);
+    const isSeen = to - from >= ROOM_FOR_METHOD;
+    if (!element.current) return;
+    element.current.style.left = `${isSeen ? from : 0}px`;
+    element.current.style.width = `${isSeen ? to - from : width}px`;
+  };
+  useSignalEffect(stand);
+  useLayoutEffect(stand);
+  return element;
 }
 
 function description(
