@@ -70,6 +70,10 @@ const HANDIWORK = [
   "tie-group",
   "copy",
   "paste",
+  "add-keyframe",
+  "duplicate-keyframe",
+  "delete-keyframe",
+  "use-everywhere",
 ] as const satisfies readonly HandiworkId[];
 
 function handiworkDoings(handiwork: LaterHandiwork): Doings<HandiworkId> {

@@ -3,10 +3,11 @@ import { clipboardActions, createAgentClipboard } from "./clipboard-actions";
 import type { AgentClipboard } from "./clipboard-events";
 import type { ActionParts, Doings } from "./doing";
 import { type EditId, editActions } from "./edit-actions";
+import { type KeyframeId, keyframeActions } from "./keyframe-actions";
 
-export type HandiworkId = EditId | ArrangeId | "copy" | "paste";
+export type HandiworkId = EditId | ArrangeId | KeyframeId | "copy" | "paste";
 
-/** What is done to agents once some are selected, or pasted. */
+/** What changes the scene by an action: on what is selected, on keyframes, by pasting. */
 export interface Handiwork {
   readonly doings: Doings<HandiworkId>;
   readonly clipboard: AgentClipboard;
@@ -16,6 +17,11 @@ export function createHandiwork(parts: ActionParts): Handiwork {
   const clipboard = createAgentClipboard(parts);
   return {
     clipboard,
-    doings: { ...editActions(parts), ...arrangeActions(parts), ...clipboardActions(parts, clipboard) },
+    doings: {
+      ...editActions(parts),
+      ...keyframeActions(parts),
+      ...arrangeActions(parts),
+      ...clipboardActions(parts, clipboard),
+    },
   };
 }

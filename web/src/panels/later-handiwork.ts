@@ -1,4 +1,6 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import { mainTrack } from "../document/scene";
+import type { DocumentStore } from "../document/store";
 import type { AgentClipboard } from "./clipboard-events";
 import type { ActionParts, Doing, Doings } from "./doing";
 import type { Handiwork, HandiworkId } from "./handiwork";
@@ -9,7 +11,7 @@ export interface LaterHandiwork {
   readonly clipboard: AgentClipboard;
 }
 
-/** Fetched when something is selected for the first time, or pasted. */
+/** Fetched when something is selected for the first time, or an action of its is run. */
 export function laterHandiwork(parts: ActionParts): LaterHandiwork {
   const ready = signal<Handiwork | null>(null);
   let loading: Promise<Handiwork> | null = null;
@@ -55,7 +57,7 @@ export function handiworkThrough(
     doing: (id) => ({
       isEnabled: computed(() => {
         const doing: Doing | undefined = ready.value?.doings[id];
-        return doing ? (doing.isEnabled?.value ?? true) : id === "paste" || document.selection.value.kind !== "none";
+        return doing ? (doing.isEnabled?.value ?? true) : isLikely(id, document);
       }),
       run() {
         const now = ready.peek();
@@ -72,4 +74,18 @@ export function handiworkThrough(
       paste: (text) => load().then((handiwork) => handiwork.clipboard.paste(text)),
     },
   };
+}
+
+/** Whether an action that is not here yet will be possible; it decides for itself when it comes. */
+function isLikely(id: HandiworkId, { scene, selection }: DocumentStore): boolean {
+  switch (id) {
+    case "paste":
+    case "add-keyframe":
+    case "duplicate-keyframe":
+      return true;
+    case "delete-keyframe":
+      return mainTrack(scene.value).keyframes.length > 1;
+    default:
+      return selection.value.kind !== "none";
+  }
 }

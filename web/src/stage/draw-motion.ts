@@ -5,8 +5,8 @@ import type { SegmentMotion } from "../playback/motion";
 import type { Show } from "../playback/show";
 import { ClashFinder } from "./clashes";
 import type { Frame } from "./frame";
+import { later } from "./later";
 import { createAgentsLayer } from "./layers/agents";
-import { drawClashes } from "./layers/clashes";
 import { drawHullEdge, drawHulls } from "./layers/hulls";
 import { drawNames } from "./layers/names";
 import { drawPathsToCome, drawStraightPaths } from "./layers/paths";
@@ -52,6 +52,9 @@ export function outlinedGroup(
  *
  * Sparing, the agents are where they are and what lies under them is drawn by turns, a frame behind.
  */
+/** A good show has no clash to mark. */
+const marks = later(() => import("./layers/clashes"));
+
 export function createMotionPainter(
   frame: Frame,
   picture: MotionPicture,
@@ -113,7 +116,7 @@ export function createMotionPainter(
     if (layers.names) drawNames(context, frame);
     if (scene.minimumDistance > 0) {
       clashes.find(frame.places, scene.minimumDistance);
-      drawClashes(context, frame, clashes, scene.minimumDistance, scene.stage.units);
+      if (clashes.count > 0) marks()?.drawClashes(context, frame, clashes, scene.minimumDistance, scene.stage.units);
     }
   };
 }

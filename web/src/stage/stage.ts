@@ -97,7 +97,7 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
     }),
     effect(() => {
       void arrivals.value;
-      need("backdrop", "handles");
+      need("backdrop", "motion", "handles");
     }),
     effect(() => {
       void [playback.time.value, show.value, subject.ties.value, scene.value, toolbox.active.value];

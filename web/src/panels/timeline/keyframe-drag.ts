@@ -2,23 +2,10 @@ import { type Signal, signal } from "@preact/signals";
 import { reorderKeyframe } from "../../document/commands/keyframes";
 import { retimeKeyframe, rippleKeyframe } from "../../document/commands/retime";
 import { type Keyframe, mainTrack, type Scene } from "../../document/scene";
-import type { DocumentStore, Gesture } from "../../document/store";
+import type { DocumentStore } from "../../document/store";
+import { type DragState, IDLE } from "./drag-state";
 import { type Scale, xOf } from "./scale";
 import { snapTime } from "./snap";
-
-/** How a press on a keyframe goes on. */
-export type DragState =
-  | { readonly kind: "idle" }
-  | { readonly kind: "pressed"; readonly index: number; readonly x: number }
-  | { readonly kind: "retiming"; readonly index: number; readonly x: number; readonly gesture: Gesture }
-  /** Over another keyframe: letting go brings the formation to its place in the order. */
-  | {
-      readonly kind: "reordering";
-      readonly index: number;
-      readonly x: number;
-      readonly gesture: Gesture;
-      readonly other: number;
-    };
 
 export interface DragInput {
   /** Track pixels. */
@@ -30,11 +17,10 @@ export interface DragInput {
 const CLICK_SLOP = 4;
 /** A pointer this near to another keyframe's middle means its place. */
 const PLACE_REACH = 18;
-const IDLE: DragState = { kind: "idle" };
 
 /** Dragging a keyframe along the timeline: one undo entry, or none. */
 export class KeyframeDrag {
-  readonly state: Signal<DragState> = signal(IDLE);
+  readonly state: Signal<DragState>;
   /** The scene when the press began: where everything is measured from. */
   private start: Scene;
   /** Where the playhead was then, scene seconds: a dragged keyframe sticks to it. Later it may be dragged along. */
@@ -43,7 +29,9 @@ export class KeyframeDrag {
   constructor(
     private readonly document: DocumentStore,
     private readonly scale: () => Scale,
+    state: Signal<DragState> = signal(IDLE),
   ) {
+    this.state = state;
     this.start = document.scene.peek();
   }
 

@@ -4,8 +4,9 @@ import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { lazily } from "../lazily";
 import { useStudio } from "../studio";
-import { KeyframeDrag } from "./keyframe-drag";
+
 import { KeyframeOption } from "./keyframe-option";
+import { LaterDrag } from "./later-drag";
 import { keyframePlaces } from "./layout";
 import { THUMBNAIL_WIDTH, xOf } from "./scale";
 import { useAgentColors, usePalette } from "./use-paint";
@@ -18,8 +19,8 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
   const { actions, document, playback, messages } = useStudio();
   const [menuAt, setMenuAt] = useState<number | null>(null);
   const list = useRef<HTMLDivElement | null>(null);
-  const drag = useRef<KeyframeDrag>(null);
-  drag.current ??= new KeyframeDrag(document, () => viewport.scale.peek());
+  const drag = useRef<LaterDrag>(null);
+  drag.current ??= new LaterDrag(document, () => viewport.scale.peek());
   const dragging = drag.current;
   const isDragOver = useRef(false);
 
