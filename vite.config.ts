@@ -1,22 +1,4 @@
-import { defineConfig, type Plugin } from "vite";
-
-/** Modules that the page needs before anything is opened: what the entry imports, and what that imports, at once. */
-const first = new Set<string>();
-
-/** Many small shared chunks compress worse than one, so what is needed at first travels in one piece. */
-function firstLoad(): Plugin {
-  return {
-    name: "first-load",
-    buildEnd() {
-      const visit = (id: string): void => {
-        if (first.has(id)) return;
-        first.add(id);
-        for (const imported of this.getModuleInfo(id)?.importedIds ?? []) visit(imported);
-      };
-      for (const id of this.getModuleIds()) if (this.getModuleInfo(id)?.isEntry) visit(id);
-    },
-  };
-}
+import { defineConfig } from "vite";
 
 export default defineConfig({
   root: "web",
@@ -24,7 +6,6 @@ export default defineConfig({
   publicDir: "../public",
   oxc: { jsx: { runtime: "automatic", importSource: "preact" } },
   worker: { format: "es" },
-  plugins: [firstLoad()],
   build: {
     outDir: "dist",
     emptyOutDir: true,
@@ -33,7 +14,8 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     rolldownOptions: {
-      output: { codeSplitting: { groups: [{ name: "first", test: (id: string) => first.has(id) }] } },
+      // What is needed at first travels in one piece: many small shared chunks compress worse.
+      output: { codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] } },
     },
   },
 });

@@ -1,5 +1,4 @@
 import { useRef, useState } from "preact/hooks";
-import { reorderKeyframe } from "../../document/commands/keyframes";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { lazily } from "../lazily";
@@ -45,8 +44,9 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
     option(list.current, index)?.focus({ preventScroll: true });
   };
 
-  const reorder = (index: number, other: number) => {
+  const reorder = async (index: number, other: number) => {
     if (other < 0 || other >= keyframes.length) return;
+    const { reorderKeyframe } = await import("../../document/commands/keyframes");
     document.perform(reorderKeyframe(index, other));
     choose(other);
     messages.announce(`Moved to place ${other + 1} of ${keyframes.length}`);
@@ -74,8 +74,8 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
           const index = indexOf(event.target);
           if (index === null) return;
           if (event.key === "Escape" && state.kind !== "idle") dragging.cancel();
-          else if (event.altKey && event.key === "ArrowLeft") reorder(index, index - 1);
-          else if (event.altKey && event.key === "ArrowRight") reorder(index, index + 1);
+          else if (event.altKey && event.key === "ArrowLeft") void reorder(index, index - 1);
+          else if (event.altKey && event.key === "ArrowRight") void reorder(index, index + 1);
           else if (event.key === "ArrowLeft") choose(Math.max(0, index - 1));
           else if (event.key === "ArrowRight") choose(Math.min(keyframes.length - 1, index + 1));
           else if (event.key === "Home") choose(0);
