@@ -44,6 +44,10 @@ import { createToolbox } from "./tools/create-toolbox";
 const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
 
 const store = createDocument(emptyScene());
+/** What need not be kept on this device: nothing yet, what lies there already, an example nobody has touched. */
+let settled = store.scene.peek();
+/** Whether the person was quicker than the engine: what they drew is not to be lost to what was on its way. */
+const hasBegun = () => store.undoLabel.peek() !== null;
 const view = createView(store.scene);
 const playback = createPlayback(computed(() => showDuration(mainTrack(store.scene.value))));
 const messages = createMessages();
@@ -165,6 +169,9 @@ createStage(stageHost, {
 attachTools(stageHost, toolbox, view, isMac);
 // Nobody is told to draw on an empty stage while their own scene is on its way.
 stageHost.style.visibility = "hidden";
+const showStage = () => {
+  stageHost.style.visibility = "";
+};
 
 const root = document.getElementById("app");
 if (!root) throw new Error("the page has a place for the app");
@@ -208,7 +215,10 @@ const arrival: ArrivalParts = {
     return null;
   },
   restore(scene) {
-    store.start(scene);
+    if (hasBegun()) openScene(store, scene, "Open your last scene");
+    else store.start(scene);
+    settled = scene;
+    showStage();
     showFromStart();
   },
   open(scene, label) {
@@ -218,11 +228,13 @@ const arrival: ArrivalParts = {
   },
   async showFirstExample() {
     const opened = await intake.read(await readExample(FIRST_EXAMPLE), "The example");
-    if (!opened) return;
+    if (!opened || hasBegun()) return;
     store.start(opened.scene);
+    settled = opened.scene;
     showFromStart();
     playWhereWelcome();
   },
+  hasOwn: () => hasAgents(store.scene.peek()),
   async askToOpen() {
     const question = {
       title: "Open the linked scene?",
@@ -234,13 +246,18 @@ const arrival: ArrivalParts = {
 
 addEventListener("hashchange", () => {
   const link = linkIn(location.hash);
-  if (link) void openLink(link, hasAgents(store.scene.peek()), arrival);
+  if (link) void openLink(link, arrival);
 });
 
-try {
-  await arrive(arrival);
-} catch (error) {
-  messages.say({ tone: "problem", title: "The first scene did not open.", text: sentence(problemFrom(error)) });
+/** Not awaited: what is fetched later may need this module, which ends only when nothing in it is waited for. */
+async function begin(): Promise<void> {
+  try {
+    await arrive(arrival);
+  } catch (error) {
+    messages.say({ tone: "problem", title: "The first scene did not open.", text: sentence(problemFrom(error)) });
+  }
+  showStage();
+  keepScene(store, autosave, engine, settled);
 }
-stageHost.style.visibility = "";
-keepScene(store, autosave, engine);
+
+void begin();

@@ -9,16 +9,19 @@ export interface ArrivalParts {
   readonly intake: Intake;
   /** Text of the autosaved scene; null when there is none. */
   readonly saved: () => Promise<string | null>;
-  /** The scene as it was left: no step to undo. */
+  /** The scene as it was left: no step to undo, but what was begun meanwhile is one undo away. */
   readonly restore: (scene: Scene) => void;
   readonly open: (scene: Scene, label: string) => void;
+  /** Unless the person has begun something meanwhile. */
   readonly showFirstExample: () => Promise<void>;
+  /** Whether there is anything on the page that a link would take the place of. */
+  readonly hasOwn: () => boolean;
   readonly askToOpen: Ask;
 }
 
-/** A link's part of an address; the payload is judged by the engine alone. */
+/** A link's part of an address, however much of it is left; the payload is judged by the engine alone. */
 export function linkIn(hash: string): string | null {
-  return hash.startsWith("#s=") ? hash : null;
+  return hash === "#s" || hash.startsWith("#s=") ? hash : null;
 }
 
 /** Forgets the link in the address bar, so that a reload shows the person's own work. */
@@ -27,11 +30,11 @@ function clearAddress(): void {
 }
 
 /** Opens what the address holds. The person's own scene stays until they say so, and one undo away after that. */
-export async function openLink(link: string, hasOwn: boolean, parts: ArrivalParts): Promise<boolean> {
+export async function openLink(link: string, parts: ArrivalParts): Promise<boolean> {
   const opened = await parts.intake.read(link, "That link");
   clearAddress();
   if (!opened) return false;
-  if (hasOwn && !(await parts.askToOpen(opened.scene))) return false;
+  if (parts.hasOwn() && !(await parts.askToOpen(opened.scene))) return false;
   parts.open(opened.scene, "Open link");
   return true;
 }
@@ -41,7 +44,7 @@ export async function arrive(parts: ArrivalParts): Promise<void> {
   const link = linkIn(location.hash);
   const own = await restored(parts);
   if (own) parts.restore(own);
-  const isLinked = link !== null && (await openLink(link, own !== null && hasAgents(own), parts));
+  const isLinked = link !== null && (await openLink(link, parts));
   if (!own && !isLinked) await parts.showFirstExample();
 }
 

@@ -4,9 +4,9 @@ import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import type { Engine } from "../engine/api";
 
-/** Keeps every change of the scene on this device, from now on; what is on the page already is not a change. */
-export function keepScene(document: DocumentStore, autosave: Autosave, engine: Engine): void {
-  let last: Scene = document.scene.peek();
+/** Keeps the scene on this device whenever it changes, from now on. `settled` itself need not be kept. */
+export function keepScene(document: DocumentStore, autosave: Autosave, engine: Engine, settled: Scene): void {
+  let last = settled;
   effect(() => {
     const scene = document.scene.value;
     if (scene === last || document.isDragging.value) return;
