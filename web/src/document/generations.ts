@@ -25,7 +25,8 @@ export type Restored =
   | { readonly kind: "text"; readonly text: string; readonly isNewestDamaged: boolean }
   | { readonly kind: "damaged" };
 
-export function openGenerations(name = "eigenform"): Promise<GenerationStore> {
+/** Rejects, and never throws, where the browser refuses: some say so before there is anything to wait for. */
+export async function openGenerations(name = "eigenform"): Promise<GenerationStore> {
   return openDB<Database>(name, 1, {
     upgrade(database) {
       database.createObjectStore("generations");

@@ -105,7 +105,7 @@ export class WorkerLink {
 
   /** A worker that closes itself or is killed fires no event, but its lock comes free. */
   #watch(lock: string): void {
-    void navigator.locks?.request(lock, () => this.#die("the engine's worker ended"));
+    navigator.locks?.request(lock, () => this.#die("the engine's worker ended")).catch(() => {});
   }
 
   #die(why: string): void {

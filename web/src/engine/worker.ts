@@ -166,10 +166,12 @@ function hold(lock: string): Promise<void> {
       resolve();
       return;
     }
-    void navigator.locks.request(lock, () => {
+    const held = () => {
       resolve();
-      return new Promise(() => {});
-    });
+      return new Promise<never>(() => {});
+    };
+    // A browser that blocks storage refuses locks, too; the page then hears of a crash, but not of a silent end.
+    navigator.locks.request(lock, held).catch(() => resolve());
   });
 }
 
