@@ -1,6 +1,6 @@
 import type { Page } from "@playwright/test";
 import { unchosen } from "./fixtures/scene-file";
-import { expect, FIRST_STROKE, type Studio, test } from "./fixtures/studio";
+import { expect, type Studio, test } from "./fixtures/studio";
 
 const SAVED = "Saved on this device";
 
@@ -60,6 +60,7 @@ test("a link asks before it takes the place of one's own scene", async ({ studio
     await page.goto("about:blank");
     await page.goto(link);
     await expect(question).toBeVisible();
+    await expect(studio.title).toHaveValue("Mine");
     await page.keyboard.press("Escape");
     await expect(question).toHaveCount(0);
     await expect(studio.title).toHaveValue("Mine");
@@ -129,7 +130,8 @@ test("what is drawn before the engine has come is not lost to what comes with it
     await route.continue();
   });
   await studio.open();
-  await studio.draw(FIRST_STROKE);
+  await page.keyboard.press("d");
+  await page.keyboard.press("Enter");
   const count = studio.tab("Agents");
   await expect(count).toContainText("12");
   release();
