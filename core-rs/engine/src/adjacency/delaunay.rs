@@ -7,10 +7,10 @@
 use std::f64::consts::PI;
 
 use glam::DVec2;
-use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
 
 use super::coincidence::representatives;
 use super::components::Components;
+use super::triangulation::{Raw, triangulate};
 use crate::formation::{Formation, principal_axes};
 
 /// Agents nearer than this, relative to the extent, stand in one place.
@@ -48,7 +48,7 @@ pub fn propose(formation: &Formation) -> Vec<Edge> {
 fn normalized(formation: &Formation) -> Formation {
     let (low, high) = formation.bounds();
     let extent = low.distance(high);
-    let scale = if extent > 0.0 { 2f64.powi(-(extent.log2().floor() as i32)) } else { 0.0 };
+    let scale = if extent > 0.0 { libm::ldexp(1.0, -libm::ilogb(extent)) } else { 0.0 };
     Formation::new(formation.positions().iter().map(|&p| (p - low.midpoint(high)) * scale).collect())
 }
 
@@ -132,41 +132,6 @@ fn join_components(points: &[DVec2], agents: &[u32], raw: Vec<Edge>, edges: &mut
         rest = longer;
     }
     assert_eq!(missing, 0, "a triangulation connects its agents");
-}
-
-/// A triangulation as it comes: not unique where agents share a circle.
-struct Raw {
-    triangles: Vec<[u32; 3]>,
-    edges: Vec<Edge>,
-}
-
-/// An agent on its way through spade, which orders vertices as it likes: each carries its agent.
-struct Site {
-    at: DVec2,
-    agent: u32,
-}
-
-impl HasPosition for Site {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        // spade refuses coordinates below 1.8e-43 that are not zero.
-        spade::mitigate_underflow(Point2::new(self.at.x, self.at.y))
-    }
-}
-
-fn triangulate(points: &[DVec2], agents: &[u32]) -> Raw {
-    let sites = agents.iter().map(|&agent| Site { at: points[agent as usize], agent }).collect();
-    let triangulation = DelaunayTriangulation::<Site>::bulk_load(sites).expect("normalized positions are finite and within range");
-    let triangles = triangulation.inner_faces().map(|face| face.vertices().map(|vertex| vertex.data().agent)).collect();
-    let edges = triangulation
-        .undirected_edges()
-        .map(|edge| {
-            let [a, b] = edge.vertices().map(|vertex| vertex.data().agent);
-            (a.min(b), a.max(b))
-        })
-        .collect();
-    Raw { triangles, edges }
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod components;
 mod delaunay;
 mod laplacian;
 mod spec;
+mod triangulation;
 
 pub use build::{COMPLETE_GROUP_LIMIT, GroupTie, TIE_LIMIT, TooManyTies, build, expanded_tie_count};
 pub use delaunay::{COINCIDENCE_TOLERANCE, propose};

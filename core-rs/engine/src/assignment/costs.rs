@@ -49,16 +49,14 @@ impl SquaredDistances {
         Self { sources, target_x, target_y }
     }
 
-    /// The problem of every other source and every other target.
-    pub(super) fn every_other(&self) -> Self {
-        let other = |values: &[f64]| values.iter().copied().step_by(2).collect();
-        Self { target_x: other(&self.target_x), target_y: other(&self.target_y), ..self.with_every_other_source() }
+    /// The problem of half of the sources and half of the targets.
+    pub(super) fn halved(&self) -> Self {
+        Self { target_x: half_of(&self.target_x), target_y: half_of(&self.target_y), ..self.with_half_the_sources() }
     }
 
-    /// The costs of every other source to all targets.
-    pub(super) fn with_every_other_source(&self) -> Self {
-        let sources = self.sources.iter().copied().step_by(2).collect();
-        Self { sources, target_x: self.target_x.clone(), target_y: self.target_y.clone() }
+    /// The costs of half of the sources to all targets.
+    pub(super) fn with_half_the_sources(&self) -> Self {
+        Self { sources: half_of(&self.sources), target_x: self.target_x.clone(), target_y: self.target_y.clone() }
     }
 }
 
@@ -79,4 +77,10 @@ impl Costs for SquaredDistances {
             away_x * away_x + away_y * away_y
         })
     }
+}
+
+/// One of every two, now the first, now the second, by the Thue-Morse sequence: a strict every other would take every other column of
+/// a grid.
+fn half_of<T: Copy>(values: &[T]) -> Vec<T> {
+    values.chunks(2).enumerate().map(|(pair, chunk)| chunk[pair.count_ones() as usize % chunk.len()]).collect()
 }

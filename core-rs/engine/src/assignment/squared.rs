@@ -30,12 +30,13 @@ pub fn squared(source: &Formation, target: &Formation) -> Assignment {
 /// Positions about the barycenter, rounded so coarsely that coordinates on a grid stay exact and ties stay ties.
 fn centered(formation: &Formation) -> Vec<DVec2> {
     let extent = formation.extent();
-    let step = if extent > 0.0 { 2f64.powi(extent.log2().floor() as i32 - 6) } else { 1.0 };
+    // By its exponent, not its logarithm, which is not the same on every machine.
+    let step = if extent > 0.0 { libm::ldexp(1.0, libm::ilogb(extent) - 6) } else { 1.0 };
     let middle = (formation.barycenter() / step).round() * step;
     formation.positions().iter().map(|&position| position - middle).collect()
 }
 
-/// A search with the better of two starts: no prices, or those of the same problem with every other agent.
+/// A search with the better of two starts: no prices, or those of the same problem with half of the agents.
 ///
 /// Both problems sample one continuous transport problem, so what each coarse source pays prices every target of the fine one.
 fn start(costs: &SquaredDistances) -> Search<'_, SquaredDistances> {
@@ -45,11 +46,11 @@ fn start(costs: &SquaredDistances) -> Search<'_, SquaredDistances> {
     if agent_count < COARSE_FROM || (plain.free_sources().len() as f64) <= COARSE_WORTHWHILE * agent_count as f64 {
         return plain;
     }
-    let coarse = costs.every_other();
+    let coarse = costs.halved();
     let mut coarse_search = start(&coarse);
     coarse_search.finish();
     let mut prices = vec![0.0; agent_count];
-    bearable_prices_into(&costs.with_every_other_source(), &coarse_search.least_payments(), &mut prices);
+    bearable_prices_into(&costs.with_half_the_sources(), &coarse_search.least_payments(), &mut prices);
     let mut informed = Search::new(costs, prices);
     informed.reduce();
     if informed.lower_bound() > plain.lower_bound() { informed } else { plain }
