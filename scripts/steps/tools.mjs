@@ -47,6 +47,7 @@ async function checkTarget() {
   await step("Adding Rust's browser target", () => run("rustup", ["target", "add", WASM_TARGET]));
 }
 
+/** Not `npm ci`: it refuses a lock file without the optional packages of other systems, which not every registry has. */
 async function installPackages() {
   const hash = await hashOf(["package.json", "package-lock.json"], [process.versions.node]);
   const areThere = () =>
@@ -55,7 +56,7 @@ async function installPackages() {
       () => false,
     );
   await once("packages", hash, areThere, () =>
-    step("Installing npm packages", () => run("npm", ["ci", "--no-audit", "--no-fund", "--loglevel=error"])),
+    step("Installing npm packages", () => run("npm", ["install", "--no-audit", "--no-fund", "--loglevel=error"])),
   );
 }
 
