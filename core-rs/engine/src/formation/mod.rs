@@ -7,7 +7,7 @@ mod neighbors;
 mod spacing;
 
 pub use axes::{PrincipalAxes, principal_axes};
-pub use neighbors::PairSearch;
+pub use neighbors::{PairSearch, near_pair};
 
 use glam::DVec2;
 use serde::{Deserialize, Serialize};

@@ -76,6 +76,17 @@ impl PairSearch {
     }
 }
 
+/// Two points that are near one another, though not always the nearest: what they are apart bounds the least distance from above.
+/// The lower index first; none below two points.
+pub fn near_pair(points: &[DVec2]) -> Option<(u32, u32)> {
+    let mut order: Vec<u32> = (0..points.len() as u32).collect();
+    let at = |agent: u32| points[agent as usize];
+    order.sort_unstable_by(|&a, &b| at(a).x.total_cmp(&at(b).x).then(at(a).y.total_cmp(&at(b).y)).then(a.cmp(&b)));
+    let distance = |pair: (u32, u32)| at(pair.0).distance_squared(at(pair.1));
+    let pairs = order.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1])));
+    pairs.min_by(|&p, &q| distance(p).total_cmp(&distance(q)))
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;

@@ -3,7 +3,7 @@
 use super::distortion::Distortion;
 use super::{extreme, walk};
 use crate::adjacency::Adjacency;
-use crate::formation::PairSearch;
+use crate::formation::{PairSearch, near_pair};
 use crate::motion::Motion;
 
 /// What a radian of mean turning costs beside a mean distortion of 1.
@@ -51,11 +51,9 @@ fn nearness(motion: &Motion, minimum_distance: f64) -> Nearness {
     let mut crowding = 0.0;
     for k in 0..motion.times().len() {
         let at = motion.sample(k);
-        if at.len() < 2 {
-            continue;
-        }
+        let Some((a, b)) = near_pair(at) else { continue };
         // Any pair bounds the least distance from above.
-        let bound = least.unwrap_or_else(|| at[0].distance(at[1]));
+        let bound = at[a as usize].distance(at[b as usize]).min(least.unwrap_or(f64::INFINITY));
         let mut nearest: f64 = bound;
         search.for_each_within(at, bound.max(minimum_distance), |_, _, distance_squared| {
             let distance = distance_squared.sqrt();

@@ -7,6 +7,7 @@ use glam::DVec2;
 
 use super::Motion;
 use super::pair_list::PairList;
+use crate::formation::near_pair;
 
 /// Distances that differ by less are one, meters: the earlier moment and the lower indices are named then. A formation that keeps its
 /// shape would otherwise name whatever rounding picks, and that is not the same on every machine.
@@ -47,12 +48,12 @@ impl Closeness {
 pub fn closeness(motion: &Motion, limit: f64) -> Closeness {
     let mut result = Closeness::default();
     let sample_count = motion.times().len();
-    if motion.agent_count() < 2 || sample_count == 0 {
+    if sample_count == 0 {
         return result;
     }
+    let Some(mut pair) = near_pair(motion.sample(0)) else { return result };
     let mut list = PairList::default();
     let limit = limit.max(0.0);
-    let mut pair = near_pair(motion.sample(0));
     for k in 1..sample_count {
         let mut piece = Piece::new(motion, k - 1, k, pair, limit);
         piece.search(&mut list);
@@ -144,16 +145,6 @@ fn nearest_approach(from: DVec2, to: DVec2) -> (f64, f64) {
         let t = closing / change_squared;
         ((from + t * change).length_squared(), t)
     }
-}
-
-/// Two agents that are near one another, not always the nearest.
-fn near_pair(at: &[DVec2]) -> (u32, u32) {
-    let mut order: Vec<u32> = (0..at.len() as u32).collect();
-    let place = |agent: u32| at[agent as usize];
-    order.sort_unstable_by(|&a, &b| place(a).x.total_cmp(&place(b).x).then(place(a).y.total_cmp(&place(b).y)).then(a.cmp(&b)));
-    let distance = |pair: (u32, u32)| place(pair.0).distance_squared(place(pair.1));
-    let pairs = order.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1])));
-    pairs.min_by(|&p, &q| distance(p).total_cmp(&distance(q))).expect("two agents")
 }
 
 #[cfg(test)]
