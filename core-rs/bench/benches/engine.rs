@@ -29,9 +29,11 @@ fn assign(criterion: &mut Criterion) {
 
 /// From a moved agent at the middle keyframe to the new motions of both segments beside it.
 fn moved_agent(criterion: &mut Criterion) {
-    for (name, agent_count, method) in
-        [("moved agent 60", 60, MethodName::Spectral), ("moved agent 300", 300, MethodName::Spectral), ("moved agent 25 auto", 25, MethodName::Auto)]
-    {
+    for (name, agent_count, method) in [
+        ("moved agent 60", 60, MethodName::Spectral),
+        ("moved agent 300", 300, MethodName::Spectral),
+        ("moved agent 25 auto", 25, MethodName::Auto),
+    ] {
         let scene = show(agent_count, 3, 10.0, method);
         criterion.bench_function(name, |bencher| {
             bencher.iter_batched(

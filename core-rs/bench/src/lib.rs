@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use eigenform::choice::{Alignment, MethodName, Order};
 use eigenform::formation::Formation;
-use eigenform::scene::{Keyframe, Scene, Segment, Track, TransitionSpec};
+use eigenform::scene::{Agent, Keyframe, Scene, Segment, Track, TransitionSpec};
 use glam::DVec2;
 
 /// A small generator of numbers in 0..1 (Numerical Recipes' linear congruential constants).
@@ -31,6 +31,6 @@ pub fn show(agent_count: usize, keyframe_count: usize, seconds: f64, method: Met
         .collect();
     let spec = TransitionSpec { method, order: Order::Greedy, alignment: Alignment::Procrustes, ..TransitionSpec::default() };
     let segments = vec![Segment::Transition(spec); keyframe_count.saturating_sub(1)];
-    let agents = Arc::new(vec![Default::default(); agent_count]);
+    let agents = Arc::new(vec![Agent::default(); agent_count]);
     Scene { minimum_distance: 0.5, tracks: vec![Track { agents, keyframes, segments }], ..Scene::default() }
 }
