@@ -1,5 +1,8 @@
 //! How long the engine takes, natively. `npm run bench` prints these beside the browser's figures and other libraries'.
 
+// Criterion's macro makes a function without documentation.
+#![allow(missing_docs)]
+
 use std::hint::black_box;
 use std::sync::Arc;
 
