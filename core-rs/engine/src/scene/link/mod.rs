@@ -1,7 +1,7 @@
 //! A scene as a link: `#s=1.` and a payload that never reaches a server.
 //!
 //! The payload is base64url of a head (how long the rest is, and its CRC-32) and the range-coded document.
-//! The head is what tells a cut link from a damaged one; everything else about a link is decided in [`document`].
+//! The head is what tells a cut link from a damaged one; everything else about a link is decided in `document`.
 
 mod document;
 mod graph;
