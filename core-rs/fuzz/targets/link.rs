@@ -1,4 +1,4 @@
-//! Text that may hold a link. Run it with `cargo +nightly fuzz run link -- -max_total_time=60`, in this folder.
+//! Text that may hold a link. Run it with `cargo +nightly fuzz run -s none link -- -max_total_time=60`, in this folder.
 #![no_main]
 
 use eigenform::scene::link::decode;
