@@ -52,6 +52,7 @@ function ToolButton({ tool, name, icon }: RailTool) {
   const { toolbox } = useStudio();
   const { action } = useAction(`tool-${tool}`);
   const isActive = toolbox.active.value === tool;
+  const isMaking = isActive && (tool === "draw" || tool === "shape");
   const key = action.keys[0];
   return (
     <button
@@ -59,12 +60,17 @@ function ToolButton({ tool, name, icon }: RailTool) {
       class="tool"
       aria-label={name}
       aria-pressed={isActive}
+      aria-description={isMaking ? "Press again to place the shape in the middle" : undefined}
       aria-keyshortcuts={keyShortcuts(action.keys)}
       tabIndex={isActive ? 0 : -1}
       data-tip={name}
       data-tip-side="right"
       data-keys={key && keyName(key)}
-      onClick={() => action.run()}
+      onClick={(event) => {
+        // No pointer: Enter is this button's as long as it has the focus, so that here it must place, too.
+        if (isMaking && event.detail === 0) toolbox.placeInMiddle();
+        else action.run();
+      }}
     >
       <Icon node={icon} size={18} />
       <span class="tool-key">{key}</span>
