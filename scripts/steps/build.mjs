@@ -8,6 +8,7 @@ const ENGINE_SOURCES = [
   "core-rs/Cargo.toml",
   "core-rs/Cargo.lock",
   "core-rs/.cargo/",
+  "core-rs/dense/",
   "core-rs/engine/",
   "core-rs/wasm/",
   "core-rs/xtask/",

@@ -6,11 +6,11 @@
 
 use faer::Mat;
 
-use super::dense::product;
 use super::eigenbasis::Eigenbasis;
 use super::polar_factor::polar_factor;
 use super::runs::runs;
 use crate::formation::Formation;
+use eigenform_dense::product;
 
 /// Neighboring eigenvalues this near, relative to the largest, count as equal.
 ///

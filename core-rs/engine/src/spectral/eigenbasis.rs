@@ -3,8 +3,8 @@
 use faer::{Mat, MatRef};
 use glam::DVec2;
 
-use super::dense::symmetric_eigen;
 use crate::formation::Formation;
+use eigenform_dense::symmetric_eigen;
 
 /// The eigenvalues of a Laplacian and an orthonormal basis of its modes (paper A, section 3.1).
 ///

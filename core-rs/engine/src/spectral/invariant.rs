@@ -4,8 +4,8 @@
 
 use faer::{Mat, MatRef};
 
-use super::dense::{product, skew_part, symmetric_eigen};
 use super::runs::runs;
+use eigenform_dense::{product, skew_part, symmetric_eigen};
 
 /// Sines below this are round-off of the eigensolver, not turns.
 const NO_TURN: f64 = 1e-12;

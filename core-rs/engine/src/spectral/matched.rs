@@ -3,11 +3,11 @@
 use faer::{Mat, MatRef};
 use glam::DVec2;
 
-use super::dense::product;
 use super::matching::{EQUAL_LIKENESS, Pairing};
 use super::pair::Pair;
 use super::planes::Planes;
 use super::signs::NO_SIGN;
+use eigenform_dense::{determinant, product};
 
 /// The rotation R of paper A, equation 2, ready to be taken to any power.
 #[derive(Clone, Debug)]
@@ -24,7 +24,7 @@ impl Matched {
     /// A rotation by degrees needs determinant +1: where it is −1 the target mode least like its source is reversed once more.
     pub(crate) fn new(pair: &Pair, pairing: &Pairing, mut reversals: Vec<bool>) -> Self {
         let mut rotation = paired(pair.likeness(), pairing.targets(), &reversals);
-        if !reversals.is_empty() && rotation.determinant() < 0.0 {
+        if !reversals.is_empty() && determinant(rotation.as_ref()) < 0.0 {
             let mode = least_like(pair.likeness(), pairing.targets());
             reversals[mode] = !reversals[mode];
             rotation.col_mut(mode).iter_mut().for_each(|entry| *entry = -*entry);

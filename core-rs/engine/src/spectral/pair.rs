@@ -6,9 +6,9 @@ use faer::{Mat, MatRef};
 use glam::DVec2;
 
 use super::degenerate::turned_to;
-use super::dense::product;
 use super::eigenbasis::Eigenbasis;
 use crate::formation::Formation;
+use eigenform_dense::product;
 
 /// The eigenbases of a source and a target, how alike their modes are, and both formations in their own modes.
 ///

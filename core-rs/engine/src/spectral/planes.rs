@@ -7,9 +7,9 @@ use std::f64::consts::PI;
 use faer::{Mat, MatRef};
 use glam::DVec2;
 
-use super::dense::{product, symmetric_eigen, symmetric_part};
 use super::invariant::{Block, split};
 use super::runs::runs;
+use eigenform_dense::{product, symmetric_eigen, symmetric_part};
 
 /// Cosines nearer than this are taken together: the symmetric part cannot tell their planes apart (round-off is eps over the
 /// gap), the skew part can.

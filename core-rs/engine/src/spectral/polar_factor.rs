@@ -2,7 +2,7 @@
 
 use faer::{Mat, MatRef};
 
-use super::dense::symmetric_eigen;
+use eigenform_dense::symmetric_eigen;
 
 /// Singular values at most this, where 1 is the largest a block of inner products can have, leave the factor undecided.
 const SINGULAR: f64 = 1e-9;
@@ -22,7 +22,7 @@ pub(super) fn polar_factor(matrix: MatRef<'_, f64>) -> Option<Mat<f64>> {
     }
     let left = eigen.vectors.submatrix(0, size, size, size);
     let right = eigen.vectors.submatrix(size, size, size, size);
-    Some(faer::Scale(2.0) * super::dense::product(left, right.transpose()))
+    Some(faer::Scale(2.0) * eigenform_dense::product(left, right.transpose()))
 }
 
 #[cfg(test)]

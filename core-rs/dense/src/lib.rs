@@ -1,4 +1,9 @@
-//! Dense linear algebra on one thread: the only file that calls faer's kernels.
+//! Dense linear algebra on one thread: the only place that calls faer's kernels.
+//!
+//! A crate of its own because faer is generic: its kernels are compiled where they are called, and here they are compiled for speed
+//! while the rest of the browser's engine is compiled for size.
+
+#![forbid(unsafe_code)]
 
 use faer::diag::Diag;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -8,16 +13,18 @@ use faer::prelude::default;
 use faer::{Accum, Mat, MatMut, MatRef, Par, Scale};
 
 /// A symmetric matrix as eigenvalues, ascending, and orthonormal eigenvectors, a column each.
-pub(super) struct SymmetricEigen {
-    pub(super) values: Vec<f64>,
-    pub(super) vectors: Mat<f64>,
+pub struct SymmetricEigen {
+    /// Ascending.
+    pub values: Vec<f64>,
+    /// Orthonormal, a column each.
+    pub vectors: Mat<f64>,
 }
 
 /// The eigendecomposition of a symmetric matrix, of which only the lower triangle is read.
 ///
 /// # Panics
 /// When an entry is not finite: a bug, since the document refuses such numbers.
-pub(super) fn symmetric_eigen(matrix: MatRef<'_, f64>) -> SymmetricEigen {
+pub fn symmetric_eigen(matrix: MatRef<'_, f64>) -> SymmetricEigen {
     let size = matrix.nrows();
     // faer's tridiagonalization takes size − 1 reflectors for granted.
     if size == 0 {
@@ -44,24 +51,29 @@ fn power_of_two_near(value: f64) -> f64 {
 }
 
 /// left · right.
-pub(super) fn product(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> Mat<f64> {
+pub fn product(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> Mat<f64> {
     let mut out = Mat::zeros(left.nrows(), right.ncols());
     product_into(out.as_mut(), left, right);
     out
 }
 
 /// out = left · right.
-pub(crate) fn product_into(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+pub fn product_into(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
     matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
 }
 
+/// The determinant of a square matrix.
+pub fn determinant(matrix: MatRef<'_, f64>) -> f64 {
+    matrix.determinant()
+}
+
 /// The symmetric part (matrix + matrixᵀ)/2.
-pub(super) fn symmetric_part(matrix: MatRef<'_, f64>) -> Mat<f64> {
+pub fn symmetric_part(matrix: MatRef<'_, f64>) -> Mat<f64> {
     Mat::from_fn(matrix.nrows(), matrix.ncols(), |row, column| f64::midpoint(matrix[(row, column)], matrix[(column, row)]))
 }
 
 /// The skew part (matrix − matrixᵀ)/2.
-pub(super) fn skew_part(matrix: MatRef<'_, f64>) -> Mat<f64> {
+pub fn skew_part(matrix: MatRef<'_, f64>) -> Mat<f64> {
     Mat::from_fn(matrix.nrows(), matrix.ncols(), |row, column| 0.5 * (matrix[(row, column)] - matrix[(column, row)]))
 }
 
