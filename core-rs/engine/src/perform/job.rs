@@ -28,6 +28,9 @@ const MOVING_SHARE: f64 = 0.2;
 /// Steps that one spectral choice takes: eigenbases, pairing, rotation planes.
 const TYPICAL_STEPS: f64 = 6.0;
 
+/// A spectral plan keeps so many matrices of agents × agents.
+const PLAN_MATRICES: usize = 2;
+
 /// What a step came to.
 pub enum Step {
     /// How far the segment is, 0–1.
@@ -96,7 +99,8 @@ impl SegmentJob {
             Phase::Work(work) => {
                 let Some(result) = work.step() else { return Ok(Step::Progress(work.progress())) };
                 let result = Arc::new(result);
-                let bytes = size_of_val(result.motion.positions());
+                let agent_count = result.motion.agent_count();
+                let bytes = size_of_val(result.motion.positions()) + PLAN_MATRICES * agent_count * agent_count * size_of::<f64>();
                 performer.performed.put(work.brief.clone(), result.clone(), bytes);
                 self.0 = Phase::Done(result.clone());
                 Ok(Step::Done(result))
