@@ -28,7 +28,12 @@ export default defineConfig({
   // A story waits for what it wants to see and never for a time, so a slow machine may take its own.
   expect: { timeout: 20_000 },
   reporter: [["list"]],
-  use: { baseURL, launchOptions, trace: "retain-on-failure", screenshot: "only-on-failure" },
+  use: {
+    baseURL,
+    launchOptions,
+    trace: { mode: "retain-on-failure", screenshots: false },
+    screenshot: "only-on-failure",
+  },
   webServer: {
     command: `npx vite preview --host 127.0.0.1 --port ${port} --strictPort`,
     cwd: "..",

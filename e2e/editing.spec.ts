@@ -1,0 +1,86 @@
+import { expect, FIRST_STROKE, type Place, test } from "./fixtures/studio";
+
+/** Where agent `index` of twelve stands on the first stroke; halves are between two. */
+function agent(index: number): Place {
+  return [0.25 + (0.5 * index) / 11, 0.35];
+}
+
+test("a tie is pulled, weighed and cut", async ({ studio, page }) => {
+  await studio.openEmpty();
+  await studio.draw(FIRST_STROKE);
+  await studio.tool("Tie").click();
+  await studio.drag([agent(0), [0.35, 0.5], agent(4)]);
+  const weight = studio.inspector.getByRole("spinbutton", { name: "Weight" });
+  await weight.fill("10");
+  await weight.press("Enter");
+  expect((await studio.sceneFile()).adjacency?.ties).toEqual([[0, 4, 10]]);
+
+  await studio.click(agent(8.5));
+  await expect(studio.inspector.getByRole("button", { name: "Cut tie" })).toBeVisible();
+  await page.keyboard.press("Delete");
+  expect((await studio.sceneFile()).adjacency?.cuts).toEqual([[8, 9]]);
+  await studio.button("Undo").click();
+  expect((await studio.sceneFile()).adjacency?.cuts ?? []).toEqual([]);
+});
+
+test("a group is made of a marquee, named, tied and dissolved", async ({ studio, page }) => {
+  await studio.openEmpty();
+  await studio.draw(FIRST_STROKE);
+  await studio.tool("Select").click();
+  await studio.drag([
+    [0.2, 0.25],
+    [0.4, 0.45],
+  ]);
+  await page.keyboard.press("Control+g");
+  const name = studio.inspector.getByRole("textbox", { name: "Name" });
+  await name.fill("Brass");
+  await name.press("Enter");
+  await studio.inspector.getByRole("checkbox", { name: "Ties inside" }).check();
+  const [group] = (await studio.sceneFile()).groups ?? [];
+  expect(group).toMatchObject({ name: "Brass", members: [0, 1, 2, 3], tieWeight: 10 });
+
+  await studio.inspector.getByRole("button", { name: "Dissolve" }).click();
+  expect((await studio.sceneFile()).groups ?? []).toEqual([]);
+  await studio.button("Undo").click();
+  expect((await studio.sceneFile()).groups).toHaveLength(1);
+});
+
+test("keyframes are retimed, held, duplicated and deleted", async ({ studio }) => {
+  await studio.makeShow();
+  const times = async (): Promise<number[]> => (await studio.sceneFile()).keyframes.map(({ time }) => time ?? 0);
+  expect(await times()).toEqual([0, 4]);
+  await studio.keyframes.nth(1).click();
+  const at = studio.inspector.getByRole("spinbutton", { name: "Keyframe time" });
+  await at.fill("0:06");
+  await at.press("Enter");
+  expect(await times()).toEqual([0, 6]);
+  const hold = studio.inspector.getByRole("spinbutton", { name: "Hold" });
+  await hold.fill("2");
+  await hold.press("Enter");
+  expect((await studio.sceneFile()).keyframes[1]?.hold).toBe(2);
+
+  await studio.button("Duplicate keyframe").click();
+  await expect(studio.keyframes).toHaveCount(3);
+  const [, original, copy] = (await studio.sceneFile()).keyframes;
+  expect(copy?.positions).toEqual(original?.positions);
+  await studio.button("Delete keyframe").click();
+  await expect(studio.keyframes).toHaveCount(2);
+});
+
+test("the playhead comes around when it loops, and stops at the end when it does not", async ({ studio, page }) => {
+  await studio.makeShow();
+  const time = page.getByRole("slider", { name: "Time" });
+  await time.press("End");
+  await studio.button("Play").click();
+  await expect.poll(() => studio.time()).toBeLessThan(4);
+  await expect(studio.button("Play")).toBeVisible();
+  expect(await studio.time()).toBe(4);
+
+  await studio.button("Loop").click();
+  await expect(studio.button("Loop")).toHaveAttribute("aria-pressed", "true");
+  await time.press("End");
+  await time.press("ArrowLeft");
+  await studio.button("Play").click();
+  await expect.poll(() => studio.time()).toBeLessThan(2);
+  await expect(studio.button("Pause")).toBeVisible();
+});
