@@ -56,7 +56,9 @@ async function installPackages() {
       () => false,
     );
   await once("packages", hash, areThere, () =>
-    step("Installing npm packages", () => run("npm", ["install", "--no-audit", "--no-fund", "--loglevel=error"])),
+    step("Installing npm packages", () =>
+      run("npm", ["install", "--no-save", "--no-audit", "--no-fund", "--loglevel=error"]),
+    ),
   );
 }
 
