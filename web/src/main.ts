@@ -1,9 +1,9 @@
-import { computed } from "@preact/signals";
+import { computed, signal } from "@preact/signals";
 import { h } from "preact";
-import { createAutosave } from "./document/autosave";
 import { createDocument } from "./document/create-store";
 import { emptyScene } from "./document/defaults";
 import { Formation } from "./document/formation";
+import { laterAutosave } from "./document/later-autosave";
 import { openScene } from "./document/open-scene";
 import { mainTrack } from "./document/scene";
 import { createEngine } from "./engine/create-engine";
@@ -11,22 +11,17 @@ import { createPlanner } from "./engine/create-planner";
 import { createCrew } from "./engine/crew";
 import { compileEngine } from "./engine/module";
 import { type ArrivalParts, arrive, hasAgents, linkIn, openLink } from "./files/arrival";
-import { withChosen } from "./files/chosen";
-import { download, fileName } from "./files/download";
-import { attachDrop, pickFile } from "./files/drop";
+import type { Desk } from "./files/desk";
 import { FIRST_EXAMPLE, readExample } from "./files/examples";
 import { createIntake, problemFrom, sentence } from "./files/intake";
 import { keepScene } from "./files/keep";
-import { attachClipboard } from "./panels/clipboard-events";
 import { createActions } from "./panels/create-actions";
 import { createDialogs } from "./panels/dialogs/dialogs";
-import { DialogHost } from "./panels/dialogs/host";
-import type { DialogServices } from "./panels/dialogs/services";
 import type { ActionParts } from "./panels/doing";
 import { followPlayhead } from "./panels/follow-playhead";
-import { attachKeyboard } from "./panels/keyboard";
 import { laterHandiwork } from "./panels/later-handiwork";
-import { createMessages } from "./panels/messages";
+import { lazily } from "./panels/lazily";
+import { createMessages, NOT_LOADED } from "./panels/messages";
 import { mountPanels } from "./panels/mount";
 import { showOf } from "./panels/show-of";
 import type { Studio } from "./panels/studio";
@@ -36,12 +31,9 @@ import { showDuration } from "./playback/show";
 import { createView } from "./stage/create-view";
 import { createStage } from "./stage/stage";
 import { rememberTheme } from "./theme/remember";
-import { attachTools } from "./tools/attach-tools";
 import { createToolbox } from "./tools/create-toolbox";
 
 /** The composition root: the only file that knows every folder. */
-
-const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
 
 const store = createDocument(emptyScene());
 /** What need not be kept on this device: nothing yet, what lies there already, an example nobody has touched. */
@@ -52,7 +44,7 @@ const view = createView(store.scene);
 const playback = createPlayback(computed(() => showDuration(mainTrack(store.scene.value))));
 const messages = createMessages();
 const dialogs = createDialogs();
-const autosave = createAutosave();
+const autosave = laterAutosave();
 rememberTheme(view.theme);
 followPlayhead(store, playback);
 
@@ -86,38 +78,29 @@ function showFromStart(): void {
   view.fit();
 }
 
-function saveFile(ending: string, text: string, type: string): void {
-  download(fileName(store.scene.peek().title, ending), text, type);
-}
-
-async function save(): Promise<void> {
-  try {
-    const text = await engine.writeScene(sceneToShare());
-    saveFile("eigenform.json", text, "application/json");
-    messages.announce("The scene file is in your downloads.");
-  } catch (error) {
-    messages.say({ tone: "problem", title: "The scene was not saved as a file.", text: sentence(problemFrom(error)) });
-  }
-}
-
-const sceneToShare = () => withChosen(store.scene.peek(), planner.segments.peek());
-
-async function openExample({ id, title }: { readonly id: string; readonly title: string }): Promise<void> {
-  try {
-    const opened = await intake.read(await readExample(id), title);
-    if (!opened) return;
-    openScene(store, opened.scene, `Open ${title}`);
-    showFromStart();
-    playWhereWelcome();
-  } catch (error) {
-    messages.say({ tone: "problem", title: `${title} was not opened.`, text: sentence(problemFrom(error)) });
-  }
-}
-
 /** Nothing moves by itself for a person who asked for less motion. */
 function playWhereWelcome(): void {
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) playback.play();
 }
+
+async function fetchDesk(): Promise<Desk> {
+  const { createDesk } = await import("./files/desk");
+  const address = location.origin + location.pathname;
+  const onExample = () => {
+    showFromStart();
+    playWhereWelcome();
+  };
+  return createDesk({ document: store, engine, planner, messages, intake, address, onExample });
+}
+
+function atDesk(act: (desk: Desk) => void): void {
+  fetchDesk().then(act, () => messages.say(NOT_LOADED));
+}
+
+const DialogHost = lazily(async () => {
+  const [{ DialogHost: Host }, { services }] = await Promise.all([import("./panels/dialogs/host"), fetchDesk()]);
+  return () => h(Host, { dialogs, services });
+});
 
 const actionParts: ActionParts = {
   document: store,
@@ -134,8 +117,8 @@ const actionParts: ActionParts = {
       openScene(store, emptyScene(), "New scene");
       showFromStart();
     },
-    open: () => pickFile((file) => void intake.openFile(file)),
-    save: () => void save(),
+    open: () => atDesk((desk) => desk.open()),
+    save: () => atDesk((desk) => void desk.save()),
     export: () => dialogs.show({ kind: "export" }),
     share: () => dialogs.show({ kind: "share" }),
     examples: () => dialogs.show({ kind: "examples" }),
@@ -147,18 +130,11 @@ const handiwork = laterHandiwork(actionParts);
 const actions = createActions(actionParts, handiwork);
 const studio: Studio = { document: store, playback, view, planner, engine, toolbox, actions, messages };
 
-const services: DialogServices = {
-  address: location.origin + location.pathname,
-  sceneToShare,
-  loadExamples: async () => (await import("./files/gallery")).EXAMPLES,
-  loadPreviews: async () => (await import("./files/gallery")).loadPreviews(),
-  openExample,
-  saveFile,
-};
-
 const stageHost = document.createElement("div");
+const isSettled = signal(false);
 createStage(stageHost, {
   scene: store.scene,
+  isSettled,
   selection: store.selection,
   segments: planner.segments,
   ties: planner.ties,
@@ -166,12 +142,6 @@ createStage(stageHost, {
   view,
   toolbox,
 });
-attachTools(stageHost, toolbox, view, isMac);
-// Nobody is told to draw on an empty stage while their own scene is on its way.
-stageHost.style.visibility = "hidden";
-const showStage = () => {
-  stageHost.style.visibility = "";
-};
 
 const root = document.getElementById("app");
 if (!root) throw new Error("the page has a place for the app");
@@ -179,15 +149,18 @@ mountPanels(root, studio, {
   stageHost,
   savedText: autosave.words,
   Timeline,
-  Dialogs: () => h(DialogHost, { dialogs, services }),
+  Dialogs: () => (dialogs.shown.value ? h(DialogHost, {}) : null),
 });
-attachKeyboard(window, { actions, isMac, holdSpace: toolbox.holdSpace, releaseSpace: toolbox.releaseSpace });
-attachClipboard(document, handiwork.clipboard);
-attachDrop(
-  document.documentElement,
-  (file) => void intake.openFile(file),
-  (text) => void intake.openText(text, "What you dropped"),
-);
+
+/** The page is drawn; now it can be touched. */
+async function attachHands(): Promise<void> {
+  try {
+    const hands = await import("./hands");
+    hands.attachHands({ stageHost, toolbox, view, actions, clipboard: handiwork.clipboard, intake });
+  } catch {
+    messages.say(NOT_LOADED);
+  }
+}
 
 const OPEN_LINKED = "Open the linked scene";
 
@@ -218,7 +191,7 @@ const arrival: ArrivalParts = {
     if (hasBegun()) openScene(store, scene, "Open your last scene");
     else store.start(scene);
     settled = scene;
-    showStage();
+    isSettled.value = true;
     showFromStart();
   },
   open(scene, label) {
@@ -251,12 +224,13 @@ addEventListener("hashchange", () => {
 
 /** Not awaited: what is fetched later may need this module, which ends only when nothing in it is waited for. */
 async function begin(): Promise<void> {
+  await attachHands();
   try {
     await arrive(arrival);
   } catch (error) {
     messages.say({ tone: "problem", title: "The first scene did not open.", text: sentence(problemFrom(error)) });
   }
-  showStage();
+  isSettled.value = true;
   keepScene(store, autosave, engine, settled);
 }
 

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
 import { addAgents, deleteAgents, moveAgents, renameAgent } from "./commands/agents";
 import { addKeyframe, deleteKeyframe } from "./commands/keyframes";
-import { replaceScene, setTitle } from "./commands/scene";
+import { setTitle } from "./commands/scene";
 import { createDocument } from "./create-store";
 import { emptyScene } from "./defaults";
 import { Formation, type Point } from "./formation";
-import { openScene } from "./open-scene";
+import { openScene, replaceScene } from "./open-scene";
 import { mainTrack } from "./scene";
 
 function documentWith(...places: Point[]) {

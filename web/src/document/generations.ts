@@ -1,5 +1,6 @@
 import { type DBSchema, type IDBPDatabase, openDB } from "idb";
 import { checksum } from "./checksum";
+import { DATABASE } from "./database";
 
 /** One saved scene as it lies in the database. */
 interface Generation {
@@ -26,7 +27,7 @@ export type Restored =
   | { readonly kind: "damaged" };
 
 /** Rejects, and never throws, where the browser refuses: some say so before there is anything to wait for. */
-export async function openGenerations(name = "eigenform"): Promise<GenerationStore> {
+export async function openGenerations(name: string = DATABASE): Promise<GenerationStore> {
   return openDB<Database>(name, 1, {
     upgrade(database) {
       database.createObjectStore("generations");

@@ -1,8 +1,12 @@
 import { batch } from "@preact/signals";
-import { replaceScene } from "./commands/scene";
 import type { Scene } from "./scene";
 import { NOTHING } from "./selection";
-import type { DocumentStore } from "./store";
+import type { Command, DocumentStore } from "./store";
+
+/** A whole other scene (New, Open, Example); the old one stays one undo away. */
+export function replaceScene(next: Scene, label: string): Command {
+  return { label, apply: () => next };
+}
 
 /** Put a whole other scene on the page, at its first keyframe with nothing selected; undo brings the old one back. */
 export function openScene(document: DocumentStore, scene: Scene, label: string): void {

@@ -1,16 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import {
-  formatAngle,
-  formatDuration,
-  formatLength,
-  formatNumber,
-  formatTime,
-  lengthWithUnit,
-  parseLength,
-  parseNumber,
-  parseTime,
-} from "./units";
+import { parseLength, parseNumber, parseTime } from "./parse";
+import { formatAngle, formatDuration, formatLength, formatNumber, formatTime, lengthWithUnit } from "./units";
 
 const UNITS = ["m", "ft", "yd", "steps"] as const;
 

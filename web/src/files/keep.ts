@@ -1,11 +1,11 @@
 import { effect } from "@preact/signals";
-import type { Autosave } from "../document/autosave";
+import type { LaterAutosave } from "../document/later-autosave";
 import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import type { Engine } from "../engine/api";
 
 /** Keeps the scene on this device whenever it changes, from now on. `settled` itself need not be kept. */
-export function keepScene(document: DocumentStore, autosave: Autosave, engine: Engine, settled: Scene): void {
+export function keepScene(document: DocumentStore, autosave: LaterAutosave, engine: Engine, settled: Scene): void {
   let last = settled;
   effect(() => {
     const scene = document.scene.value;

@@ -4,6 +4,7 @@ import type { DocumentStore } from "../document/store";
 import type { AgentClipboard } from "./clipboard-events";
 import type { ActionParts, Doing, Doings } from "./doing";
 import type { Handiwork, HandiworkId } from "./handiwork";
+import { NOT_LOADED } from "./messages";
 
 /** Handiwork that may still be on its way: what is asked of it meanwhile is done when it comes. */
 export interface LaterHandiwork {
@@ -25,11 +26,7 @@ export function laterHandiwork(parts: ActionParts): LaterHandiwork {
       },
       (error: unknown) => {
         loading = null;
-        parts.messages.say({
-          tone: "problem",
-          title: "A part of the page did not load.",
-          text: "Check the connection and try it again; the scene is unchanged.",
-        });
+        parts.messages.say(NOT_LOADED);
         throw error;
       },
     );

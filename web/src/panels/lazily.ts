@@ -1,7 +1,7 @@
 import { signal } from "@preact/signals";
 import { type ComponentType, type FunctionComponent, h } from "preact";
 import { useEffect } from "preact/hooks";
-import type { Messages } from "./messages";
+import { type Messages, NOT_LOADED } from "./messages";
 import { useStudio } from "./studio";
 
 /** A component that is fetched when it is first shown, and shows nothing until then. */
@@ -28,13 +28,7 @@ function createPart<Props extends object>(load: () => Promise<ComponentType<Prop
         .then((component) => {
           loaded.value = { component };
         })
-        .catch(() => {
-          messages.say({
-            tone: "problem",
-            title: "A part of the page did not load.",
-            text: "Check the connection and try it again; the scene is unchanged.",
-          });
-        })
+        .catch(() => messages.say(NOT_LOADED))
         .finally(() => {
           isFetching = false;
         });

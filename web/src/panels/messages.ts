@@ -21,6 +21,13 @@ export interface Messages {
   dismiss(id: number): void;
 }
 
+/** What is said when a part that is fetched later did not come. */
+export const NOT_LOADED = {
+  tone: "problem",
+  title: "A part of the page did not load.",
+  text: "Check the connection and try it again; the scene is unchanged.",
+} as const;
+
 export function createMessages(): Messages {
   const shown = signal<readonly Message[]>([]);
   const announcement = signal("");

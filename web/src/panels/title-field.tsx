@@ -1,10 +1,18 @@
-import { setTitle } from "../document/commands/scene";
+import { NOT_LOADED } from "./messages";
 import { useStudio } from "./studio";
 
 /** The scene's title, edited in place. */
 export function TitleField() {
-  const { document } = useStudio();
+  const { document, messages } = useStudio();
   const title = document.scene.value.title;
+
+  const rename = (to: string) => {
+    import("../document/commands/scene").then(
+      ({ setTitle }) => document.perform(setTitle(to)),
+      () => messages.say(NOT_LOADED),
+    );
+  };
+
   return (
     <input
       class="title"
@@ -22,7 +30,7 @@ export function TitleField() {
           event.currentTarget.blur();
         }
       }}
-      onChange={(event) => document.perform(setTitle(event.currentTarget.value))}
+      onChange={(event) => rename(event.currentTarget.value)}
     />
   );
 }

@@ -4,10 +4,10 @@ import type { Overlay } from "../tools/toolbox";
 import type { Bounds } from "./camera";
 import type { Frame } from "./frame";
 import { type SelectionBox, selectionBounds, selectionBox } from "./handles";
-import { drawNamePill, needsPill } from "./layers/names";
+import { drawNamePill, needsPill } from "./layers/name-pill";
 import { drawOverlay } from "./layers/overlay";
+import { drawSelectedTie } from "./layers/selected-tie";
 import { drawBox, drawHoverRing, drawRings } from "./layers/selection";
-import { drawSelectedTie } from "./layers/ties";
 import { FEW_SELECTED } from "./subject";
 import { tieStrength, tieWidth } from "./ties";
 

@@ -7,7 +7,7 @@ import { ClashFinder } from "./clashes";
 import type { Frame } from "./frame";
 import { later } from "./later";
 import { createAgentsLayer } from "./layers/agents";
-import { drawHullEdge, drawHulls } from "./layers/hulls";
+import { drawHulls } from "./layers/hulls";
 import { drawNames } from "./layers/names";
 import { drawPathsToCome, drawStraightPaths } from "./layers/paths";
 import { drawCuts, drawTies } from "./layers/ties";
@@ -47,14 +47,15 @@ export function outlinedGroup(
   return isGrouping && hovered !== null ? groupOf(scene.groups, hovered) : null;
 }
 
+/** A good show has no clash to mark, and at first no group is pointed at. */
+const marks = later(() => import("./layers/clashes"));
+const edges = later(() => import("./layers/hull-edge"));
+
 /**
  * Draws everything that moves. Owns what its layers keep.
  *
  * Sparing, the agents are where they are and what lies under them is drawn by turns, a frame behind.
  */
-/** A good show has no clash to mark. */
-const marks = later(() => import("./layers/clashes"));
-
 export function createMotionPainter(
   frame: Frame,
   picture: MotionPicture,
@@ -71,7 +72,7 @@ export function createMotionPainter(
     if (outlined) {
       const place = frame.cast.groups.findIndex((group) => group.path.join() === outlined.join());
       const hull = scenery.hulls[place];
-      if (hull) drawHullEdge(context, frame, hull, scratch);
+      if (hull) edges()?.drawHullEdge(context, frame, hull, scratch);
     }
     if (layers.ties || picture.isTying) {
       const segment = show.segmentAt(time);

@@ -12,7 +12,7 @@ const KEYS: readonly { readonly keys: readonly string[]; readonly does: string }
   { keys: ["Ctrl", "K"], does: "anything else" },
 ];
 
-/** What a stage without agents says: how to begin. Hidden at first. */
+/** What a stage without agents says: how to begin. */
 export function createEmptyState(): HTMLElement {
   const root = element("div", "stage-empty");
   const words = element("div", "stage-empty-words");
@@ -29,7 +29,6 @@ export function createEmptyState(): HTMLElement {
     keys,
   );
   root.append(drawnStroke(), words);
-  root.hidden = true;
   return root;
 }
 

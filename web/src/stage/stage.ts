@@ -2,14 +2,16 @@ import "./stage.css";
 import { computed, effect, signal } from "@preact/signals";
 import { createCanvases } from "./canvases";
 import { castOf } from "./cast";
-import { createEmptyState } from "./empty-state";
 import type { StageInputs } from "./inputs";
-import { arrivals } from "./later";
+import { arrivals, later } from "./later";
 import { createLoop } from "./loop";
 import { createPace } from "./pace";
 import { createPainter, type Look, type Needs, type Painter } from "./painter";
 import { type Palette, paletteOf } from "./palette";
 import { createSubject } from "./subject";
+
+/** Not for those who find their own scene here, or an example. */
+const emptyState = later(() => import("./empty-state"));
 
 export interface Stage {
   /** Stops drawing and leaves the host as it was. */
@@ -21,8 +23,7 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   const { scene, selection, segments, playback, view, toolbox } = inputs;
   host.classList.add("stage-sheet");
   const canvases = createCanvases(host);
-  const empty = createEmptyState();
-  host.append(empty);
+  let empty: HTMLElement | null = null;
 
   const palette = signal<Palette | null>(null);
   const subject = createSubject(scene, selection, segments, inputs.ties);
@@ -116,7 +117,16 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
       host.style.cursor = toolbox.cursor.value;
     }),
     effect(() => {
-      empty.hidden = agents.value.length > 0 || toolbox.overlay.value.kind !== "none";
+      host.style.visibility = inputs.isSettled.value ? "" : "hidden";
+    }),
+    effect(() => {
+      void arrivals.value;
+      const isShown = inputs.isSettled.value && agents.value.length === 0 && toolbox.overlay.value.kind === "none";
+      if (isShown && !empty) {
+        empty = emptyState()?.createEmptyState() ?? null;
+        if (empty) host.append(empty);
+      }
+      if (empty) empty.hidden = !isShown;
     }),
   ];
 

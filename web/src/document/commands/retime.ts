@@ -1,8 +1,8 @@
 import { updateKeyframe, updateTrack } from "../edit";
 import { LIMITS, SHORTEST_TRANSITION, withinLimits } from "../limits";
+import { roundTime, tidyTime } from "../round-time";
 import { mainTrack, type Scene } from "../scene";
 import type { Command } from "../store";
-import { roundTime } from "../timing";
 
 /** Move a keyframe in time, no nearer to its neighbors than a transition needs. */
 export function retimeKeyframe(index: number, time: number): Command {
@@ -36,7 +36,7 @@ export function rippleKeyframe(index: number, time: number): Command {
       const latest = keyframe.time + LIMITS.seconds - (last.time + last.hold);
       const by = (clamp(time, earliest(scene, index), latest) ?? keyframe.time) - keyframe.time;
       if (by === 0) return scene;
-      const keyframes = track.keyframes.map((was, i) => (i < index ? was : { ...was, time: tidy(was.time + by) }));
+      const keyframes = track.keyframes.map((was, i) => (i < index ? was : { ...was, time: tidyTime(was.time + by) }));
       return withinLimits(
         scene,
         updateTrack(scene, (was) => ({ ...was, keyframes })),
@@ -73,10 +73,4 @@ function earliest(scene: Scene, index: number): number {
 /** Within bounds and exact to a millisecond; null where the bounds leave no room. */
 function clamp(value: number, low: number, high: number): number | null {
   return low <= high ? Math.max(low, Math.min(high, roundTime(value))) : null;
-}
-
-/** A time without the last bits a sum leaves; one that is finer than a millisecond stays as it is. */
-function tidy(time: number): number {
-  const rounded = roundTime(time);
-  return Math.abs(rounded - time) < 1e-9 ? rounded : time;
 }

@@ -2,11 +2,6 @@ import { clipText, LIMITS, withinLimits } from "../limits";
 import type { Scene, Stage } from "../scene";
 import type { Command } from "../store";
 
-/** A whole other scene (New, Open, Example); the old one stays one undo away. */
-export function replaceScene(next: Scene, label: string): Command {
-  return { label, apply: () => next };
-}
-
 export function setTitle(title: string): Command {
   return { label: "Rename scene", apply: (scene) => patch(scene, { title: clipText(title.trim(), LIMITS.title) }) };
 }

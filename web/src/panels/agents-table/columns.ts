@@ -1,8 +1,9 @@
 import { renameAgent, setPlace } from "../../document/commands/agents";
+import { parseLength } from "../../document/parse";
 import { agentLabel } from "../../document/queries";
 import type { Scene } from "../../document/scene";
 import type { Command } from "../../document/store";
-import { formatLength, parseLength } from "../../document/units";
+import { formatLength } from "../../document/units";
 
 export type ColumnName = "name" | "group" | "x" | "y";
 

@@ -1,41 +1,30 @@
-import { useSignal } from "@preact/signals";
+import { type Signal, useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { useId, useLayoutEffect, useRef } from "preact/hooks";
-import { placeBeside, type Side } from "./place-beside";
+import { useId, useRef } from "preact/hooks";
+import { lazily } from "../lazily";
+import type { Side } from "./place-beside";
 
-/** A button that opens something over the page; the browser closes it on Escape and on a press elsewhere. */
-export function PopoverButton(props: {
+const PopoverPanel = lazily(() => import("./popover-panel").then((part) => part.PopoverPanel));
+
+export interface PopoverProps {
   /** The accessible name of the button and of what it opens. */
-  label: string;
-  buttonClass: string;
-  side: Side;
-  tip?: string;
-  tipSide?: string;
+  readonly label: string;
+  readonly buttonClass: string;
+  readonly side: Side;
+  readonly tip?: string;
+  readonly tipSide?: string;
   /** The button's face. */
-  face: ComponentChildren;
+  readonly face: ComponentChildren;
   /** Made when it is opened. */
-  children: (close: () => void) => ComponentChildren;
-}) {
-  const { side } = props;
+  readonly children: (close: () => void) => ComponentChildren;
+}
+
+/** A button that opens something over the page. What opens is fetched at the first press; from then on the browser opens it. */
+export function PopoverButton(props: PopoverProps) {
   const id = useId();
   const button = useRef<HTMLButtonElement>(null);
-  const panel = useRef<HTMLDivElement>(null);
-  const isOpen = useSignal(false);
-
-  // The content may arrive after the panel, so its place and its first control are looked for as it grows.
-  useLayoutEffect(() => {
-    const [anchor, opened] = [button.current, panel.current];
-    if (!isOpen.value || !anchor || !opened) return;
-    const settle = () => {
-      placeBeside(opened, anchor, side);
-      if (!opened.contains(opened.ownerDocument.activeElement)) firstControl(opened)?.focus();
-    };
-    const observer = new ResizeObserver(settle);
-    settle();
-    observer.observe(opened);
-    return () => observer.disconnect();
-  }, [isOpen.value, side]);
-
+  const isWanted = useSignal(false);
+  const isOpen: Signal<boolean> = useSignal(false);
   return (
     <>
       <button
@@ -48,26 +37,17 @@ export function PopoverButton(props: {
         popovertarget={id}
         data-tip={props.tip}
         data-tip-side={props.tipSide}
+        onClick={() => {
+          isWanted.value = true;
+        }}
       >
         {props.face}
       </button>
-      <div
-        ref={panel}
-        id={id}
-        class="popover"
-        popover="auto"
-        role="dialog"
-        aria-label={props.label}
-        onToggle={(event) => {
-          isOpen.value = event.newState === "open";
-        }}
-      >
-        {isOpen.value && props.children(() => panel.current?.hidePopover())}
-      </div>
+      {isWanted.value && (
+        <PopoverPanel id={id} label={props.label} side={props.side} anchor={button} isOpen={isOpen}>
+          {props.children}
+        </PopoverPanel>
+      )}
     </>
   );
-}
-
-function firstControl(panel: HTMLElement): HTMLElement | null {
-  return panel.querySelector<HTMLElement>("button:not(:disabled), input:not(:disabled), select:not(:disabled)");
 }

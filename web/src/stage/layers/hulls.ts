@@ -31,33 +31,8 @@ export function drawHulls(context: CanvasRenderingContext2D, frame: Frame, shape
   context.globalAlpha = 1;
 }
 
-/**
- * The edge of one hull, 1 px of its color at half strength.
- *
- * `scratch` has the stage's size and density; it is left transparent.
- */
-export function drawHullEdge(
-  context: CanvasRenderingContext2D,
-  frame: Frame,
-  shape: HullShape,
-  scratch: CanvasRenderingContext2D,
-): void {
-  if (fade(frame.spacing, 11, 16) === 0) return;
-  const half = hullWidth(frame) / 2;
-  scratch.fillStyle = shape.color;
-  traceHull(scratch, frame, shape, half + 0.5);
-  scratch.fill();
-  scratch.globalCompositeOperation = "destination-out";
-  traceHull(scratch, frame, shape, half - 0.5);
-  scratch.fill();
-  scratch.globalCompositeOperation = "source-over";
-  context.globalAlpha = 0.5;
-  context.drawImage(scratch.canvas, 0, 0, frame.size.width, frame.size.height);
-  context.globalAlpha = 1;
-  scratch.clearRect(0, 0, frame.size.width, frame.size.height);
-}
-
-function hullWidth(frame: Frame): number {
+/** How wide a hull is about each of its agents, CSS pixels. */
+export function hullWidth(frame: Frame): number {
   return Math.min(2.3 * clamp(frame.spacing, 9, 400), 84);
 }
 
@@ -94,7 +69,7 @@ function coverOf(spacings: number): number {
 }
 
 /** Discs of radius `half` about the agents, and bands as wide along the short ties; all wound alike, so none cancels another. */
-function traceHull(context: CanvasRenderingContext2D, frame: Frame, shape: HullShape, half: number): void {
+export function traceHull(context: CanvasRenderingContext2D, frame: Frame, shape: HullShape, half: number): void {
   const { points, spacing } = frame;
   context.beginPath();
   // The bands cover any triangle until their width reaches its limit.

@@ -1,0 +1,2 @@
+/** The name of the page's database on this device. */
+export const DATABASE = "eigenform";

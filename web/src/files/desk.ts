@@ -1,0 +1,79 @@
+import { openScene } from "../document/open-scene";
+import type { Scene } from "../document/scene";
+import type { DocumentStore } from "../document/store";
+import type { Engine, Planner } from "../engine/api";
+import type { DialogServices } from "../panels/dialogs/services";
+import type { Messages } from "../panels/messages";
+import { withChosen } from "./chosen";
+import { download, fileName } from "./download";
+import { pickFile } from "./drop";
+import { readExample } from "./examples";
+import { type Intake, problemFrom, sentence } from "./intake";
+
+/** What is done with a scene as a whole when somebody asks: fetched then. */
+export interface Desk {
+  /** Asks for a file and opens it. */
+  open(): void;
+  /** Hands the person the scene as a file. */
+  save(): Promise<void>;
+  readonly services: DialogServices;
+}
+
+export interface DeskParts {
+  readonly document: DocumentStore;
+  readonly engine: Pick<Engine, "writeScene">;
+  readonly planner: Pick<Planner, "segments">;
+  readonly messages: Messages;
+  readonly intake: Intake;
+  /** The page's address, without a fragment. */
+  readonly address: string;
+  /** An example took the scene's place: it is shown from its start. */
+  onExample(): void;
+}
+
+export function createDesk({ document, engine, planner, messages, intake, address, onExample }: DeskParts): Desk {
+  function sceneToShare(): Scene {
+    return withChosen(document.scene.peek(), planner.segments.peek());
+  }
+
+  function saveFile(ending: string, text: string, type: string): void {
+    download(fileName(document.scene.peek().title, ending), text, type);
+  }
+
+  return {
+    open: () => pickFile((file) => void intake.openFile(file)),
+    async save() {
+      try {
+        saveFile("eigenform.json", await engine.writeScene(sceneToShare()), "application/json");
+        messages.announce("The scene file is in your downloads.");
+      } catch (error) {
+        messages.say({
+          tone: "problem",
+          title: "The scene was not saved as a file.",
+          text: sentence(problemFrom(error)),
+        });
+      }
+    },
+    services: {
+      address,
+      sceneToShare,
+      loadExamples: async () => (await import("./gallery")).EXAMPLES,
+      loadPreviews: async () => (await import("./gallery")).loadPreviews(),
+      async openExample({ id, title }) {
+        try {
+          const opened = await intake.read(await readExample(id), title);
+          if (!opened) return;
+          openScene(document, opened.scene, `Open ${title}`);
+          onExample();
+        } catch (error) {
+          messages.say({
+            tone: "problem",
+            title: `${title} was not opened.`,
+            text: sentence(problemFrom(error)),
+          });
+        }
+      },
+      saveFile,
+    },
+  };
+}

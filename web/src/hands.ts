@@ -1,0 +1,31 @@
+import { attachDrop } from "./files/drop";
+import type { Intake } from "./files/intake";
+import type { Actions } from "./panels/actions";
+import { type AgentClipboard, attachClipboard } from "./panels/clipboard-events";
+import { attachKeyboard } from "./panels/keyboard";
+import type { View } from "./stage/view";
+import { attachTools } from "./tools/attach-tools";
+import type { ToolboxAtWork } from "./tools/create-toolbox";
+
+export interface HandsParts {
+  readonly stageHost: HTMLElement;
+  readonly toolbox: ToolboxAtWork;
+  readonly view: View;
+  readonly actions: Actions;
+  readonly clipboard: AgentClipboard;
+  readonly intake: Intake;
+}
+
+const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
+
+/** Lets pointer, keys, clipboard and drops in. Fetched as soon as the page is drawn: nobody acts on what they do not see. */
+export function attachHands({ stageHost, toolbox, view, actions, clipboard, intake }: HandsParts): void {
+  attachTools(stageHost, toolbox, view, isMac);
+  attachKeyboard(window, { actions, isMac, holdSpace: toolbox.holdSpace, releaseSpace: toolbox.releaseSpace });
+  attachClipboard(document, clipboard);
+  attachDrop(
+    document.documentElement,
+    (file) => void intake.openFile(file),
+    (text) => void intake.openText(text, "What you dropped"),
+  );
+}
