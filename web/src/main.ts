@@ -30,7 +30,7 @@ import { createPlayback } from "./playback/playback";
 import { showDuration } from "./playback/show";
 import { createView } from "./stage/create-view";
 import { createStage } from "./stage/stage";
-import { rememberTheme } from "./theme/remember";
+import { rememberRuler, rememberTheme } from "./theme/remember";
 import { createToolbox } from "./tools/create-toolbox";
 
 /** The composition root: the only file that knows every folder. */
@@ -46,6 +46,7 @@ const messages = createMessages();
 const dialogs = createDialogs();
 const autosave = laterAutosave();
 rememberTheme(view.theme);
+rememberRuler(view.ruler);
 followPlayhead(store, playback);
 
 const crew = createCrew(compileEngine(), (title, text) => messages.say({ tone: "problem", title, text }));
@@ -109,6 +110,7 @@ const actionParts: ActionParts = {
   toolbox,
   messages,
   engine,
+  planner,
   clipboard: navigator.clipboard,
   positionsAt: (time) => new Formation(Float64Array.from(positionsAt(time))),
   cancelGesture: toolbox.cancel,

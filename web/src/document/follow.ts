@@ -39,7 +39,9 @@ export function followSelection(before: Scene, after: Scene, selection: Selectio
       return path === selection.path ? selection : { kind: "group", path };
     }
     case "keyframe":
-      return followIndex(old.keyframes, now.keyframes, selection);
+      if (old.keyframes.length === now.keyframes.length) return selection;
+      // A run that lost or gained a keyframe is another run: only its moving end is followed.
+      return followIndex(old.keyframes, now.keyframes, { kind: "keyframe", index: selection.index });
     case "transition":
       return followIndex(old.segments, now.segments, selection);
   }

@@ -6,7 +6,8 @@ export type Selection =
   | { readonly kind: "agents"; readonly agents: ReadonlySet<number> }
   | { readonly kind: "tie"; readonly a: number; readonly b: number }
   | { readonly kind: "group"; readonly path: GroupPath }
-  | { readonly kind: "keyframe"; readonly index: number }
+  /** With `anchor`: the run of keyframes between the two, `index` the end that moves. */
+  | { readonly kind: "keyframe"; readonly index: number; readonly anchor?: number }
   | { readonly kind: "transition"; readonly index: number };
 
 export const NOTHING: Selection = { kind: "none" };

@@ -1,9 +1,6 @@
-import { type Choice, mainTrack, type Scene } from "../document/scene";
+import { mainTrack, type Scene } from "../document/scene";
 import type { Planning } from "../engine/api";
-
-function choiceOf(state: Planning | undefined): Choice | null {
-  return state?.kind === "ready" ? state.plan.report.choice : null;
-}
+import { choiceOf } from "../engine/choice";
 
 /** The scene with what auto took written down, so that whoever opens it sees the same motion. */
 export function withChosen(scene: Scene, states: readonly Planning[]): Scene {

@@ -66,6 +66,7 @@ beforeEach(() => {
     toolbox,
     messages,
     engine: { open: openCsv },
+    planner: { segments: signal([]) },
     clipboard: {
       readText: async () => onClipboard,
       writeText: async (text: string) => {

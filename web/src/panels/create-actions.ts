@@ -73,6 +73,8 @@ const HANDIWORK = [
   "add-keyframe",
   "duplicate-keyframe",
   "delete-keyframe",
+  "reverse-run",
+  "repeat-run",
   "use-everywhere",
 ] as const satisfies readonly HandiworkId[];
 

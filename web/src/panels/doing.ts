@@ -3,7 +3,7 @@ import type { Formation } from "../document/formation";
 import type { Scene } from "../document/scene";
 import type { Selection } from "../document/selection";
 import type { Command, DocumentStore } from "../document/store";
-import type { Engine } from "../engine/api";
+import type { Engine, Planner } from "../engine/api";
 import type { Playback } from "../playback/playback";
 import type { View } from "../stage/view";
 import type { Toolbox } from "../tools/toolbox";
@@ -28,6 +28,7 @@ export interface ActionParts {
   readonly toolbox: Toolbox;
   readonly messages: Messages;
   readonly engine: Pick<Engine, "open">;
+  readonly planner: Pick<Planner, "segments">;
   readonly clipboard: Pick<Clipboard, "readText" | "writeText">;
   /** Where everybody is at a time, scene seconds, as the stage shows it. */
   positionsAt(time: number): Formation;

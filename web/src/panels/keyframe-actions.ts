@@ -1,21 +1,32 @@
 import { computed } from "@preact/signals";
 import { addKeyframe, deleteKeyframe, duplicateKeyframe } from "../document/commands/keyframes";
+import { copyOfRun, repeatRun, reverseRun, whyNotRepeated } from "../document/commands/runs";
 import { setAllTransitions } from "../document/commands/transitions";
 import { keyframeLabel } from "../document/queries";
+import { selectedRun } from "../document/run";
 import { mainTrack } from "../document/scene";
+import { slotAfter } from "../document/slot";
 import type { Command } from "../document/store";
-import { momentAt, slotAfter } from "../document/timing";
+import { momentAt } from "../document/timing";
+import { choiceOf } from "../engine/choice";
 import { type ActionParts, type Doings, here, performOrSay } from "./doing";
 import { goToKeyframe } from "./show-actions";
 
-export type KeyframeId = "add-keyframe" | "duplicate-keyframe" | "delete-keyframe" | "use-everywhere";
+export type KeyframeId =
+  | "add-keyframe"
+  | "duplicate-keyframe"
+  | "delete-keyframe"
+  | "reverse-run"
+  | "repeat-run"
+  | "use-everywhere";
 
 const NO_ROOM = "There is no room for a keyframe here: the next one is too near, or the show has all it can hold.";
 
 /** What is done to keyframes and transitions. */
 export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
-  const { document, playback, messages } = parts;
+  const { document, playback, messages, planner } = parts;
   const keyframeCount = computed(() => mainTrack(document.scene.value).keyframes.length);
+  const hasRun = computed(() => selectedRun(document.selection.value) !== null);
   const goTo = (index: number) => goToKeyframe(parts, index);
 
   /** Makes a keyframe after the one at `time`, and goes there. */
@@ -29,11 +40,17 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
       run() {
         playback.pause();
         const time = playback.time.peek();
-        const moment = momentAt(document.scene.peek(), time);
-        const standing = moment.kind === "standing" ? moment.keyframe : -1;
-        // A formation that stands is taken as it is stored: what the stage shows is rounded.
-        const stored = mainTrack(document.scene.peek()).keyframes[standing]?.positions;
-        make(time, addKeyframe(time, stored ?? parts.positionsAt(time)));
+        const scene = document.scene.peek();
+        const moment = momentAt(scene, time);
+        if (moment.kind === "standing") {
+          // A formation that stands is taken as it is stored: what the stage shows is rounded.
+          const stored = mainTrack(scene).keyframes[moment.keyframe]?.positions;
+          if (stored) make(time, addKeyframe(time, stored));
+          return;
+        }
+        // The keyframe goes to a whole millisecond: the formation is the one seen then.
+        const positions = parts.positionsAt(slotAfter(scene, time)?.time ?? time);
+        make(time, addKeyframe(time, positions, choiceOf(planner.segments.peek()[moment.segment])));
       },
     },
     "duplicate-keyframe": {
@@ -51,6 +68,27 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
         document.perform(deleteKeyframe(keyframe));
         goTo(document.activeKeyframe.peek());
         messages.announce(`${name} deleted`);
+      },
+    },
+    "reverse-run": {
+      isEnabled: hasRun,
+      run() {
+        const run = selectedRun(document.selection.peek());
+        if (!run) return;
+        document.perform(reverseRun(run));
+        messages.announce(`Keyframes ${run.first + 1} to ${run.last + 1} reversed`);
+      },
+    },
+    "repeat-run": {
+      isEnabled: hasRun,
+      run() {
+        const run = selectedRun(document.selection.peek());
+        if (!run) return;
+        const { scene } = here(document);
+        const copy = copyOfRun(scene, run);
+        if (!performOrSay(parts, repeatRun(run), whyNotRepeated(scene, run) ?? NO_ROOM)) return;
+        document.selection.value = { kind: "keyframe", index: copy.last, anchor: copy.first };
+        messages.announce(`Keyframes ${run.first + 1} to ${run.last + 1} repeated`);
       },
     },
     "use-everywhere": {

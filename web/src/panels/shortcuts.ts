@@ -24,10 +24,13 @@ export const SHORTCUTS = {
   "go-to-start": { section: "Play", label: "Go to the start", keys: ["Home"] },
   "go-to-end": { section: "Play", label: "Go to the end", keys: ["End"] },
   loop: { section: "Play", label: "Loop", keys: ["L"] },
+  counts: { section: "Play", label: "Counts and bars instead of seconds" },
 
   "add-keyframe": { section: "Keyframes", label: "Add keyframe", keys: ["K"] },
   "duplicate-keyframe": { section: "Keyframes", label: "Duplicate keyframe", keys: ["Shift+K"] },
   "delete-keyframe": { section: "Keyframes", label: "Delete keyframe" },
+  "reverse-run": { section: "Keyframes", label: "Reverse run" },
+  "repeat-run": { section: "Keyframes", label: "Repeat run" },
 
   undo: { section: "Edit", label: "Undo", keys: ["Ctrl+Z"] },
   redo: { section: "Edit", label: "Redo", keys: ["Ctrl+Shift+Z", "Ctrl+Y"] },

@@ -4,7 +4,7 @@ import { mainTrack } from "../document/scene";
 import { momentAt } from "../document/timing";
 import type { ActionParts, Doings } from "./doing";
 
-type ShowId = "play" | "previous-keyframe" | "next-keyframe" | "go-to-start" | "go-to-end" | "loop";
+type ShowId = "play" | "previous-keyframe" | "next-keyframe" | "go-to-start" | "go-to-end" | "loop" | "counts";
 
 /** Stands at a keyframe and selects it. */
 export function goToKeyframe({ document, playback, messages }: ActionParts, index: number): void {
@@ -18,7 +18,7 @@ export function goToKeyframe({ document, playback, messages }: ActionParts, inde
 
 /** The course of the show: playing it and walking through it. */
 export function showActions(parts: ActionParts): Doings<ShowId> {
-  const { document, playback, messages } = parts;
+  const { document, playback, view, messages } = parts;
   const keyframeCount = computed(() => mainTrack(document.scene.value).keyframes.length);
 
   const goTo = (index: number) => goToKeyframe(parts, index);
@@ -47,6 +47,12 @@ export function showActions(parts: ActionParts): Doings<ShowId> {
       run() {
         playback.isLooping.value = !playback.isLooping.peek();
         messages.announce(playback.isLooping.peek() ? "Loop on" : "Loop off");
+      },
+    },
+    counts: {
+      run() {
+        view.ruler.value = view.ruler.peek() === "counts" ? "seconds" : "counts";
+        messages.announce(`The timeline reads ${view.ruler.peek()}`);
       },
     },
   };

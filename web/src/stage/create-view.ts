@@ -74,6 +74,7 @@ export function createView(scene: ReadonlySignal<Scene>): View {
     size,
     hovered: signal<number | null>(null),
     theme: signal<"light" | "dark" | "system">("system"),
+    ruler: signal<"seconds" | "counts">("seconds"),
     zoom: computed(() => camera.value.scale / whole.value.scale),
     zoomBy(factor, at) {
       const middle = at ?? { x: size.peek().width / 2, y: size.peek().height / 2 };

@@ -26,6 +26,8 @@ export interface View {
   readonly size: Signal<{ readonly width: number; readonly height: number }>;
   readonly hovered: Signal<number | null>;
   readonly theme: Signal<"light" | "dark" | "system">;
+  /** What the timeline counts in. */
+  readonly ruler: Signal<"seconds" | "counts">;
   /** How close: 1 when the whole stage just fits, 2 at twice that. */
   readonly zoom: ReadonlySignal<number>;
   /** Zooms by a factor, about the middle unless told where (CSS pixels of the stage element). */

@@ -2,17 +2,22 @@ import { DEFAULT_SEGMENT, keyframeAt } from "../defaults";
 import { chooseAgain, updateKeyframe, updateTrack } from "../edit";
 import type { Formation } from "../formation";
 import { clipText, LIMITS, withinLimits } from "../limits";
-import { type Keyframe, mainTrack, type Scene, type Track } from "../scene";
+import { type Choice, type Keyframe, mainTrack, type Scene, type Track } from "../scene";
+import { slotAfter } from "../slot";
 import type { Command } from "../store";
-import { slotAfter } from "../timing";
 
-/** A keyframe with the formation seen at `time`; where that is follows from [`slotAfter`]. */
-export function addKeyframe(time: number, positions: Formation): Command {
+/**
+ * A keyframe with the formation seen at `time`; where that is follows from `slotAfter`.
+ *
+ * @param taken what made the motion there: both parts of a transition that is split go on with it, so that auto does
+ *   not choose another motion than the one the formation was seen in
+ */
+export function addKeyframe(time: number, positions: Formation, taken: Choice | null = null): Command {
   return {
     label: "Add keyframe",
     apply: (scene) => {
       const slot = slotAfter(scene, time);
-      return slot ? insert(scene, slot.index, keyframeAt(slot.time, positions)) : scene;
+      return slot ? insert(scene, slot.index, keyframeAt(slot.time, positions), taken) : scene;
     },
   };
 }
@@ -25,7 +30,7 @@ export function duplicateKeyframe(index: number): Command {
       const keyframe = mainTrack(scene).keyframes[index];
       const slot = keyframe && slotAfter(scene, keyframe.time + keyframe.hold);
       if (!keyframe || !slot) return scene;
-      return insert(scene, slot.index, { ...keyframe, time: slot.time, hold: 0 });
+      return insert(scene, slot.index, { ...keyframe, time: slot.time, hold: 0 }, null);
     },
   };
 }
@@ -76,16 +81,18 @@ export function reorderKeyframe(from: number, to: number): Command {
   };
 }
 
-function insert(scene: Scene, index: number, keyframe: Keyframe): Scene {
+function insert(scene: Scene, index: number, keyframe: Keyframe, taken: Choice | null): Scene {
   if (keyframe.positions.agentCount !== mainTrack(scene).agents.length) return scene;
   const next = updateTrack(scene, (track: Track) => {
     // A transition that is split keeps its options on both sides; a new one after the end follows the last.
-    const template = track.segments[index - 1] ?? track.segments.at(-1) ?? DEFAULT_SEGMENT;
-    const segments = track.segments.toSpliced(index - 1, 0, { ...template, chosen: null });
+    const split = track.segments[index - 1];
+    const template = split ?? track.segments.at(-1) ?? DEFAULT_SEGMENT;
+    const chosen = split?.method === "auto" ? taken : null;
+    const parts = Array.from({ length: split ? 2 : 1 }, () => ({ ...template, chosen }));
     return {
       ...track,
       keyframes: track.keyframes.toSpliced(index, 0, keyframe),
-      segments: chooseAgain(segments, [index]),
+      segments: track.segments.toSpliced(index - 1, split ? 1 : 0, ...parts),
     };
   });
   return withinLimits(scene, next);

@@ -1,27 +1,25 @@
 import { renameKeyframe } from "../../document/commands/keyframes";
 import { retimeKeyframe, setHold } from "../../document/commands/retime";
 import { dropOwnTies } from "../../document/commands/ties";
+import { barAndCount } from "../../document/counts";
 import { updateKeyframe } from "../../document/edit";
 import { LIMITS } from "../../document/limits";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import type { Command } from "../../document/store";
-import { formatTime, parseTime } from "../../document/units";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
 import { Switch } from "../controls/switch";
 import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
 import { Head } from "./head";
-import { secondsQuantity } from "./quantities";
+import { instantQuantity } from "./quantities";
 import { Section } from "./section";
-
-const TIME = { ...secondsQuantity(LIMITS.seconds), unit: "", format: formatTimeExactly, parse: parseTime };
-const HOLD = secondsQuantity(LIMITS.seconds);
+import { SpanRow } from "./span-row";
 
 /** One formation of the show: when it is reached, how long it stands, who belongs together in it. */
 export function KeyframePanel({ index }: { index: number }) {
-  const { document } = useStudio();
+  const { document, view } = useStudio();
   const scene = document.scene.value;
   const keyframes = mainTrack(scene).keyframes;
   const keyframe = keyframes[index];
@@ -42,22 +40,21 @@ export function KeyframePanel({ index }: { index: number }) {
             onCommit={(name) => document.perform(renameKeyframe(index, name))}
           />
         </Row>
-        <Row label="At">
+        <Row label="At" {...(view.ruler.value === "counts" ? { note: barAndCount(scene.tempo, keyframe.time) } : {})}>
           <NumberBox
             label="Keyframe time"
             value={keyframe.time}
-            quantity={TIME}
+            quantity={instantQuantity(scene.tempo)}
             onCommit={(time) => document.perform(retimeKeyframe(index, time))}
           />
         </Row>
-        <Row label="Hold">
-          <NumberBox
-            label="Hold"
-            value={keyframe.hold}
-            quantity={HOLD}
-            onCommit={(hold) => document.perform(setHold(index, hold))}
-          />
-        </Row>
+        <SpanRow
+          label="Hold"
+          value={keyframe.hold}
+          min={0}
+          max={LIMITS.seconds}
+          onCommit={(hold) => document.perform(setHold(index, hold))}
+        />
         <Switch
           label="Ties of its own"
           note="else those of the whole scene"
@@ -76,11 +73,4 @@ function giveOwnTies(index: number): Command {
     apply: (scene) =>
       updateKeyframe(scene, index, (was) => (was.adjacency ? was : { ...was, adjacency: scene.adjacency })),
   };
-}
-
-/** Hundredths and below are shown only where there are any. */
-function formatTimeExactly(seconds: number): string {
-  const tenths = formatTime(seconds);
-  const rest = Math.round((seconds - (parseTime(tenths) ?? seconds)) * 1000);
-  return rest === 0 ? tenths : `${tenths}${String(rest).padStart(2, "0")}`.replace(/0+$/, "");
 }

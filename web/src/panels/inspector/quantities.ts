@@ -1,6 +1,8 @@
+import { secondsPerCount, type Tempo } from "../../document/counts";
 import { LIMITS } from "../../document/limits";
+import { parseInstant, parseLength, parseNumber, parseSpan, parseTime } from "../../document/parse";
 import type { Units } from "../../document/scene";
-import { formatNumber, metersPer, parseLength, parseNumber } from "../../document/units";
+import { formatNumber, formatTime, metersPer } from "../../document/units";
 import type { Quantity } from "../controls/quantity";
 
 /** Whether a unit is too long a word to stand in a small box. */
@@ -57,15 +59,44 @@ export const SHARING: Quantity = {
   parse: parseNumber,
 };
 
-export function secondsQuantity(max: number): Quantity {
+/** An instant of the show, in scene seconds. */
+export function instantQuantity(tempo: Tempo): Quantity {
   return {
-    min: 0,
-    max,
+    ...spanQuantity(tempo, { min: 0, max: LIMITS.seconds }),
+    unit: "",
+    format: formatTimeExactly,
+    parse: (text) => parseInstant(text, tempo),
+  };
+}
+
+/** How long something lasts, in seconds; counts and bars can be typed as well. */
+export function spanQuantity(tempo: Tempo, bounds: { min: number; max: number }): Quantity {
+  return {
+    ...bounds,
     step: 0.1,
     scale: "linear",
     unit: "s",
     format: (value) => String(Number(value.toFixed(3))),
-    parse: (text) => parseNumber(text.replace(/\s*s$/i, "")),
+    parse: (text) => parseSpan(text, tempo),
+  };
+}
+
+/** The same in counts, for those who read them; a bare number is counts. */
+export function countsQuantity(tempo: Tempo, bounds: { min: number; max: number }): Quantity {
+  const per = secondsPerCount(tempo);
+  return {
+    min: bounds.min / per,
+    max: bounds.max / per,
+    step: 1,
+    scale: "linear",
+    unit: "counts",
+    format: (value) => String(Number(value.toFixed(2))),
+    parse(text) {
+      const counts = parseNumber(text);
+      if (counts !== null) return counts;
+      const seconds = parseSpan(text, tempo);
+      return seconds === null ? null : seconds / per;
+    },
   };
 }
 
@@ -79,4 +110,11 @@ export function wholeQuantity(min: number, max: number, unit = ""): Quantity {
     format: (value) => String(Number(value.toFixed(3))),
     parse: parseNumber,
   };
+}
+
+/** Hundredths and below are shown only where there are any. */
+function formatTimeExactly(seconds: number): string {
+  const tenths = formatTime(seconds);
+  const rest = Math.round((seconds - (parseTime(tenths) ?? seconds)) * 1000);
+  return rest === 0 ? tenths : `${tenths}${String(rest).padStart(2, "0")}`.replace(/0+$/, "");
 }

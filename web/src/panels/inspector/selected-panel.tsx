@@ -1,8 +1,10 @@
+import { selectedRun } from "../../document/run";
 import type { Selection } from "../../document/selection";
 import { AgentPanel } from "./agent-panel";
 import { AgentsPanel } from "./agents-panel";
 import { GroupPanel } from "./group-panel";
 import { KeyframePanel } from "./keyframe-panel";
+import { RunPanel } from "./run-panel";
 import { TiePanel } from "./tie-panel";
 import { TransitionPanel } from "./transition-panel";
 
@@ -20,8 +22,10 @@ export function SelectedPanel({ selection }: { selection: Selection }) {
       return <TiePanel a={selection.a} b={selection.b} />;
     case "group":
       return <GroupPanel path={selection.path} />;
-    case "keyframe":
-      return <KeyframePanel index={selection.index} />;
+    case "keyframe": {
+      const run = selectedRun(selection);
+      return run ? <RunPanel run={run} /> : <KeyframePanel index={selection.index} />;
+    }
     case "transition":
       return <TransitionPanel index={selection.index} />;
   }

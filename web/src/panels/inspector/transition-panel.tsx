@@ -1,3 +1,5 @@
+import { rippleKeyframe } from "../../document/commands/retime";
+import { LIMITS, SHORTEST_TRANSITION } from "../../document/limits";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { StatusPill } from "../status";
@@ -9,6 +11,7 @@ import { Measures } from "./measures";
 import { PlanningNote } from "./planning-note";
 import { planningView } from "./planning-view";
 import { Section } from "./section";
+import { SpanRow } from "./span-row";
 import { TransitionOptions } from "./transition-options";
 
 /** How one formation becomes the next, how well, and why so. */
@@ -17,7 +20,9 @@ export function TransitionPanel({ index }: { index: number }) {
   const scene = document.scene.value;
   const track = mainTrack(scene);
   const segment = track.segments[index];
-  if (!segment) return null;
+  const [from, to] = [track.keyframes[index], track.keyframes[index + 1]];
+  if (!segment || !from || !to) return null;
+  const leaving = from.time + from.hold;
   const view = planningView(planner.segments.value[index], scene.minimumDistance, scene.stage.units);
   return (
     <>
@@ -27,6 +32,13 @@ export function TransitionPanel({ index }: { index: number }) {
         <span class="ellipsis">{keyframeLabel(scene, index + 1)}</span>
       </Head>
       <Section>
+        <SpanRow
+          label="Duration"
+          value={to.time - leaving}
+          min={SHORTEST_TRANSITION}
+          max={LIMITS.seconds}
+          onCommit={(seconds) => document.perform(rippleKeyframe(index + 1, leaving + seconds))}
+        />
         <TransitionOptions index={index} segment={segment} choice={view.plan?.report.choice ?? segment.chosen} />
         <PlanningNote view={view} />
         {view.plan && view.status === "clash" && <ClashNote report={view.plan.report} />}

@@ -13,7 +13,7 @@ const KEY_STEP = 0.5;
 
 /** Pulls the selected keyframe's right edge on: how long the agents stand in it. */
 export function HoldHandle({ viewport }: { viewport: Viewport }) {
-  const { document, playback } = useStudio();
+  const { document, playback, view } = useStudio();
   const drag = useRef<{ readonly gesture: Gesture; readonly x: number; readonly hold: number } | null>(null);
   const selection = document.selection.value;
   const scene = document.scene.value;
@@ -51,7 +51,8 @@ export function HoldHandle({ viewport }: { viewport: Viewport }) {
         if (!from) return;
         const { pixelsPerSecond } = viewport.scale.peek();
         const wanted = keyframe.time + from.hold + (event.clientX - from.x) / pixelsPerSecond;
-        const snapped = snapTime(wanted, scene, { pixelsPerSecond, times: [playback.time.peek(), keyframe.time] });
+        const times = [playback.time.peek(), keyframe.time];
+        const snapped = snapTime(wanted, scene, { pixelsPerSecond, times, ruler: view.ruler.peek() });
         from.gesture.preview(setHold(index, snapped - keyframe.time));
       }}
       onPointerUp={() => end("commit")}

@@ -24,7 +24,7 @@ let drag: KeyframeDrag;
 
 beforeEach(() => {
   document = createDocument(show());
-  drag = new KeyframeDrag(document, () => SCALE);
+  drag = new KeyframeDrag(document, { scale: () => SCALE, ruler: () => "seconds" });
 });
 
 const times = () => mainTrack(document.scene.value).keyframes.map(({ time }) => time);
@@ -104,4 +104,11 @@ test("the playhead that goes along with a dragged keyframe does not hold it back
   drag.press(1, 460, 4);
   for (let x = 461; x <= 520; x += 1) drag.move({ x, isRipple: false });
   expect(times()[1]).toBeCloseTo(4.6, 9);
+});
+
+test("where counts are read, a drag goes from count to count", () => {
+  drag = new KeyframeDrag(document, { scale: () => SCALE, ruler: () => "counts" });
+  pull(460, 537);
+  drag.release();
+  expect(times()).toEqual([0, 5, 8]);
 });

@@ -5,12 +5,18 @@ import { type Keyframe, mainTrack, type Scene } from "../../document/scene";
 import type { DocumentStore } from "../../document/store";
 import { type DragState, IDLE } from "./drag-state";
 import { type Scale, xOf } from "./scale";
-import { snapTime } from "./snap";
+import { type SnapTargets, snapTime } from "./snap";
 
 export interface DragInput {
   /** Track pixels. */
   readonly x: number;
   readonly isRipple: boolean;
+}
+
+/** How the track is looked at while something is dragged on it. */
+export interface TrackLook {
+  scale(): Scale;
+  ruler(): SnapTargets["ruler"];
 }
 
 /** Pixels a press may wander and still be a click. */
@@ -28,7 +34,7 @@ export class KeyframeDrag {
 
   constructor(
     private readonly document: DocumentStore,
-    private readonly scale: () => Scale,
+    private readonly track: TrackLook,
     state: Signal<DragState> = signal(IDLE),
   ) {
     this.state = state;
@@ -54,9 +60,13 @@ export class KeyframeDrag {
       this.state.value = { kind: "reordering", index, x, gesture, other };
       return;
     }
-    const scale = this.scale();
+    const scale = this.track.scale();
     const wanted = (this.keyframes[index]?.time ?? 0) + (input.x - x) / scale.pixelsPerSecond;
-    const snapped = snapTime(wanted, this.start, { pixelsPerSecond: scale.pixelsPerSecond, times: [this.playhead] });
+    const snapped = snapTime(wanted, this.start, {
+      pixelsPerSecond: scale.pixelsPerSecond,
+      times: [this.playhead],
+      ruler: this.track.ruler(),
+    });
     gesture.preview(input.isRipple ? rippleKeyframe(index, snapped) : retimeKeyframe(index, snapped));
     this.state.value = { kind: "retiming", index, x, gesture };
   }
@@ -82,7 +92,7 @@ export class KeyframeDrag {
   }
 
   private keyframeUnder(x: number, index: number): number | null {
-    const scale = this.scale();
+    const scale = this.track.scale();
     const found = this.keyframes.findIndex(
       (keyframe, other) => other !== index && Math.abs(xOf(scale, keyframe.time) - x) < PLACE_REACH,
     );

@@ -1,9 +1,11 @@
-import { useRef, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { keyframeLabel } from "../../document/queries";
+import { isInRun, selectedRun } from "../../document/run";
 import { mainTrack } from "../../document/scene";
+import { later } from "../../stage/later";
 import { lazily } from "../lazily";
 import { useStudio } from "../studio";
-
+import type { KeyframeHands } from "./keyframe-keys";
 import { KeyframeOption } from "./keyframe-option";
 import { LaterDrag } from "./later-drag";
 import { keyframePlaces } from "./layout";
@@ -12,50 +14,72 @@ import { useAgentColors, usePalette } from "./use-paint";
 import type { Viewport } from "./viewport";
 
 const KeyframeMenu = lazily(() => import("./keyframe-menu").then((part) => part.KeyframeMenu));
+const keys = later(() => import("./keyframe-keys"));
 
 /** The formations of the show at their times. Arrows walk, a drag retimes, a drag onto another takes its place. */
 export function KeyframeList({ viewport }: { viewport: Viewport }) {
-  const { actions, document, playback, messages } = useStudio();
+  const { actions, document, playback, messages, view } = useStudio();
   const [menuAt, setMenuAt] = useState<number | null>(null);
   const list = useRef<HTMLDivElement | null>(null);
   const drag = useRef<LaterDrag>(null);
-  drag.current ??= new LaterDrag(document, () => viewport.scale.peek());
+  drag.current ??= new LaterDrag(document, { scale: () => viewport.scale.peek(), ruler: () => view.ruler.peek() });
   const dragging = drag.current;
   const isDragOver = useRef(false);
+  useEffect(() => void keys(), []);
 
   const scene = document.scene.value;
   const { keyframes } = mainTrack(scene);
   const places = keyframePlaces(keyframes, viewport.scale.value);
   const { from, to } = viewport.drawn.value;
   const selection = document.selection.value;
+  const run = selectedRun(selection);
   const state = dragging.state.value;
   const paint = { colors: useAgentColors().value, palette: usePalette() };
   const active = Math.min(document.activeKeyframe.value, keyframes.length - 1);
 
-  const isSelected = (index: number) => selection.kind === "keyframe" && selection.index === index;
+  const isSelected = (index: number) =>
+    selection.kind === "keyframe" && (selection.index === index || isInRun(run, index));
 
-  const choose = (index: number) => {
+  const focus = (index: number) => option(list.current, index)?.focus({ preventScroll: true });
+
+  const choose = (index: number, anchor: number | null = null) => {
     const keyframe = mainTrack(document.scene.peek()).keyframes[index];
     if (!keyframe) return;
-    document.selection.value = { kind: "keyframe", index };
+    document.selection.value = { kind: "keyframe", index, ...(anchor === null ? {} : { anchor }) };
     document.activeKeyframe.value = index;
     playback.seek(keyframe.time);
     viewport.reveal(keyframe.time);
-    option(list.current, index)?.focus({ preventScroll: true });
+    focus(index);
+  };
+
+  const extend = (index: number) => {
+    const now = document.selection.peek();
+    choose(index, now.kind === "keyframe" ? (now.anchor ?? now.index) : active);
   };
 
   const reorder = async (index: number, other: number) => {
-    if (other < 0 || other >= keyframes.length) return;
     const { reorderKeyframe } = await import("../../document/commands/keyframes");
     document.perform(reorderKeyframe(index, other));
     choose(other);
     messages.announce(`Moved to place ${other + 1} of ${keyframes.length}`);
   };
 
-  const remove = (index: number) => {
-    choose(index);
-    if (keyframes.length > 1) actions.get("delete-keyframe").run();
-    queueMicrotask(() => option(list.current, document.activeKeyframe.peek())?.focus());
+  const hands: KeyframeHands = {
+    count: keyframes.length,
+    choose,
+    extend,
+    reorder: (index, other) => void reorder(index, other),
+    remove(index) {
+      choose(index);
+      if (keyframes.length > 1) actions.get("delete-keyframe").run();
+      queueMicrotask(() => focus(document.activeKeyframe.peek()));
+    },
+    play: () => actions.get("play").run(),
+    cancelDrag() {
+      if (state.kind === "idle") return false;
+      dragging.cancel();
+      return true;
+    },
   };
 
   const menuAnchor = menuAt === null ? null : option(list.current, menuAt);
@@ -70,20 +94,10 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
         role="listbox"
         aria-label="Keyframes"
         aria-orientation="horizontal"
+        aria-multiselectable="true"
         onKeyDown={(event) => {
           const index = indexOf(event.target);
-          if (index === null) return;
-          if (event.key === "Escape" && state.kind !== "idle") dragging.cancel();
-          else if (event.altKey && event.key === "ArrowLeft") void reorder(index, index - 1);
-          else if (event.altKey && event.key === "ArrowRight") void reorder(index, index + 1);
-          else if (event.key === "ArrowLeft") choose(Math.max(0, index - 1));
-          else if (event.key === "ArrowRight") choose(Math.min(keyframes.length - 1, index + 1));
-          else if (event.key === "Home") choose(0);
-          else if (event.key === "End") choose(keyframes.length - 1);
-          else if (event.key === "Enter") choose(index);
-          else if (event.key === " ") actions.get("play").run();
-          else if (event.key === "Delete" || event.key === "Backspace") remove(index);
-          else return;
+          if (index === null || !keys()?.pressKey(event, index, hands)) return;
           event.preventDefault();
           event.stopPropagation();
         }}
@@ -130,14 +144,17 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
                 onPointerCancel() {
                   dragging.cancel();
                 },
-                onClick() {
+                onClick(event) {
                   // The click that ends a drag is no click on a keyframe.
-                  if (!isDragOver.current) choose(index);
+                  const isDrag = isDragOver.current;
                   isDragOver.current = false;
+                  if (isDrag) return;
+                  if (event.shiftKey) extend(index);
+                  else choose(index);
                 },
                 onContextMenu(event) {
                   event.preventDefault();
-                  choose(index);
+                  if (!isInRun(run, index)) choose(index);
                   setMenuAt(index);
                 },
               }}
@@ -149,9 +166,10 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
         <KeyframeMenu
           index={menuAt}
           anchor={menuAnchor}
-          onClose={(index) => {
+          onClose={(moved) => {
             setMenuAt(null);
-            choose(index);
+            if (moved === null) focus(document.activeKeyframe.peek());
+            else choose(moved);
           }}
         />
       )}

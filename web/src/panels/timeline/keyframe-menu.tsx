@@ -1,6 +1,7 @@
-import { ArrowLeft, ArrowRight, Copy, type IconNode, Trash2 } from "lucide";
+import { ArrowLeft, ArrowLeftRight, ArrowRight, Copy, type IconNode, Repeat2, Trash2 } from "lucide";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { reorderKeyframe } from "../../document/commands/keyframes";
+import { selectedRun } from "../../document/run";
 import { mainTrack } from "../../document/scene";
 import { Icon } from "../../theme/icons";
 import { placeBeside } from "../controls/place-beside";
@@ -11,8 +12,8 @@ export interface KeyframeMenuProps {
   readonly index: number;
   /** What it opens beside. */
   readonly anchor: HTMLElement;
-  /** After something was chosen, or not; `index` is where the keyframe is then. */
-  onClose(index: number): void;
+  /** After something was chosen, or not; `moved` is where the keyframe went, null when it stayed. */
+  onClose(moved: number | null): void;
 }
 
 /** What can be done with a keyframe, for those who do not drag. */
@@ -20,6 +21,7 @@ export function KeyframeMenu({ index, anchor, onClose }: KeyframeMenuProps) {
   const { document, actions } = useStudio();
   const menu = useRef<HTMLDivElement>(null);
   const last = mainTrack(document.scene.value).keyframes.length - 1;
+  const isRun = selectedRun(document.selection.value) !== null;
 
   useLayoutEffect(() => {
     const panel = menu.current;
@@ -34,7 +36,7 @@ export function KeyframeMenu({ index, anchor, onClose }: KeyframeMenuProps) {
     onClose(to);
   };
   const act = (id: string) => () => {
-    onClose(index);
+    onClose(null);
     actions.get(id).run();
   };
 
@@ -46,7 +48,7 @@ export function KeyframeMenu({ index, anchor, onClose }: KeyframeMenuProps) {
       role="menu"
       aria-label="Keyframe"
       onToggle={(event) => {
-        if (event.newState === "closed") onClose(index);
+        if (event.newState === "closed") onClose(null);
       }}
       onKeyDown={(event) => moveFocus(event, "button")}
     >
@@ -55,6 +57,13 @@ export function KeyframeMenu({ index, anchor, onClose }: KeyframeMenuProps) {
       <hr class="menu-line" />
       <Item words="Duplicate" keys="" node={Copy} isOff={false} run={act("duplicate-keyframe")} />
       <Item words="Delete" keys="Del" node={Trash2} isOff={last === 0} run={act("delete-keyframe")} />
+      {isRun && (
+        <>
+          <hr class="menu-line" />
+          <Item words="Reverse run" keys="" node={ArrowLeftRight} isOff={false} run={act("reverse-run")} />
+          <Item words="Repeat run" keys="" node={Repeat2} isOff={false} run={act("repeat-run")} />
+        </>
+      )}
     </div>
   );
 }

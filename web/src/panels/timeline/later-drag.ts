@@ -1,8 +1,7 @@
 import { type Signal, signal } from "@preact/signals";
 import type { DocumentStore } from "../../document/store";
 import { type DragState, IDLE } from "./drag-state";
-import type { DragInput, KeyframeDrag } from "./keyframe-drag";
-import type { Scale } from "./scale";
+import type { DragInput, KeyframeDrag, TrackLook } from "./keyframe-drag";
 
 /** A keyframe drag that is fetched when the first keyframe is pressed; a press waits for it. */
 export class LaterDrag {
@@ -13,7 +12,7 @@ export class LaterDrag {
 
   constructor(
     private readonly document: DocumentStore,
-    private readonly scale: () => Scale,
+    private readonly track: TrackLook,
   ) {}
 
   press(index: number, x: number, playhead: number): void {
@@ -39,7 +38,7 @@ export class LaterDrag {
   private async fetch(): Promise<void> {
     // Without it a keyframe can still be chosen, and retimed in the inspector.
     const part = await import("./keyframe-drag").catch(() => null);
-    this.drag ??= part && new part.KeyframeDrag(this.document, this.scale, this.state);
+    this.drag ??= part && new part.KeyframeDrag(this.document, this.track, this.state);
     this.start();
   }
 

@@ -1,5 +1,6 @@
 import { useSignalEffect } from "@preact/signals";
 import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
+import { selectedRun } from "../../document/run";
 import { mainTrack } from "../../document/scene";
 import { lazily } from "../lazily";
 import { useStudio } from "../studio";
@@ -43,6 +44,8 @@ export function Timeline() {
   });
   useFollow(viewport);
 
+  const selection = document.selection.value;
+  const isOneKeyframe = selection.kind === "keyframe" && selectedRun(selection) === null;
   const isSingle = mainTrack(document.scene.value).keyframes.length === 1;
   return (
     <section class="timeline" aria-label="Timeline">
@@ -76,7 +79,7 @@ export function Timeline() {
           {playback.range.value && <LoopBar viewport={viewport} />}
           <Ribbons viewport={viewport} />
           <KeyframeList viewport={viewport} />
-          {document.selection.value.kind === "keyframe" && <HoldHandle viewport={viewport} />}
+          {isOneKeyframe && <HoldHandle viewport={viewport} />}
           {isSingle && <EmptySlot viewport={viewport} />}
           <TimeSlider />
           <Playhead viewport={viewport} />

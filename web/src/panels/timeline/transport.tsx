@@ -21,6 +21,7 @@ export function Transport() {
       <span class="transport-wide">
         <LoopButton />
         <SpeedMenu />
+        <CountsButton />
       </span>
       <span class="transport-gap" />
       <Legend />
@@ -90,6 +91,25 @@ function LoopButton() {
       onClick={() => action.run()}
     >
       <Icon node={Repeat} />
+    </button>
+  );
+}
+
+/** Whether the ruler, the clock and a drag go by counts. */
+function CountsButton() {
+  const { view } = useStudio();
+  const { action } = useAction("counts");
+  return (
+    <button
+      type="button"
+      class="toggle"
+      aria-label="Counts"
+      aria-pressed={view.ruler.value === "counts"}
+      data-tip="Counts and bars instead of seconds"
+      data-tip-side="top"
+      onClick={() => action.run()}
+    >
+      Counts
     </button>
   );
 }
