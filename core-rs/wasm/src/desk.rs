@@ -7,6 +7,7 @@ use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::perform::{Performed, Performer};
 use eigenform::scene::{self, Scene, Source};
+use eigenform::spectral::{Eigenbasis, ModeMatch};
 use glam::DVec2;
 use serde::de::DeserializeOwned;
 use serde_json::json;
@@ -81,6 +82,18 @@ pub fn curves(performed: &Performed) -> Vec<f32> {
 pub fn motion(performer: &mut Performer, scene: &Scene, format: &str) -> Result<String, Refusal> {
     let performance = performer.perform(scene)?;
     Ok(if format == "csv" { performance.to_csv() } else { performance.to_json() })
+}
+
+pub fn modes(basis: &Eigenbasis, most: usize) -> Vec<f64> {
+    let modes = basis.modes().col_iter().take(most).flat_map(|mode| mode.iter().copied());
+    basis.eigenvalues().iter().copied().chain(modes).collect()
+}
+
+pub fn mode_match(matched: &ModeMatch, most: usize) -> Vec<f32> {
+    let shown = matched.mode_count.min(most);
+    let amounts = matched.amounts[..shown * matched.mode_count].iter().map(|amount| *amount as f32);
+    let targets = matched.targets.iter().flat_map(|targets| targets[..shown].iter().map(|target| *target as f32));
+    amounts.chain(targets).collect()
 }
 
 pub fn assign(source: &Formation, target: &Formation) -> Vec<u32> {

@@ -119,6 +119,22 @@ impl Engine {
         Ok(graph.ties().iter().map(|tie| tie.factor).collect())
     }
 
+    /// The eigenbasis of a keyframe: all eigenvalues, ascending, then the first `most` modes beside the constant one, an entry an agent.
+    pub fn modes(&mut self, keyframe: usize, most: usize) -> Result<Vec<f64>, Refusal> {
+        Ok(desk::modes(&*self.performer.eigenbasis(at_hand(self.scene.as_ref()), keyframe)?, most))
+    }
+
+    /// How alike the modes at both ends of a segment are: of the first `most` source modes a row of one number a target mode, then
+    /// the target that each of them has under eigenvalue, greedy, max-min and hungarian order, an order at a time.
+    pub fn mode_match(&mut self, segment: usize, most: usize) -> Result<Vec<f32>, Refusal> {
+        Ok(desk::mode_match(&self.performer.mode_match(at_hand(self.scene.as_ref()), segment)?, most))
+    }
+
+    /// Eigenvalues of the graph between both ends of a segment, all of them at t = 0, 1/steps, …, 1.
+    pub fn eigenvalues_between(&mut self, segment: usize, steps: usize) -> Result<Vec<f64>, Refusal> {
+        Ok(self.performer.eigenvalues_between(at_hand(self.scene.as_ref()), segment, steps)?.concat())
+    }
+
     /// The scene at hand as a file.
     pub fn write_scene(&self) -> String {
         eigenform::scene::write_json(at_hand(self.scene.as_ref()))

@@ -31,8 +31,9 @@ struct Vectors {
 pub fn run(arguments: &Modes) -> Result<Vec<String>, Failure> {
     let Opened { scene, notes, .. } = input::read(&arguments.source)?;
     let formation = input::formation(&scene, arguments.keyframe, "--keyframe")?;
-    let adjacency = Performer::default().graph(&scene, arguments.keyframe)?;
-    let basis = Eigenbasis::of(adjacency.laplacian().as_ref());
+    let mut performer = Performer::default();
+    let adjacency = performer.graph(&scene, arguments.keyframe)?;
+    let basis = performer.eigenbasis(&scene, arguments.keyframe)?;
     let report = Report {
         eigenvalues: basis.eigenvalues().to_vec(),
         ties: adjacency.ties().iter().map(|tie| (tie.a, tie.b, tie.weight)).collect(),

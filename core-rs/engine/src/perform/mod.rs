@@ -7,6 +7,7 @@ mod auto;
 mod brief;
 mod graphs;
 mod job;
+mod modes;
 mod performed;
 mod recent;
 mod show;

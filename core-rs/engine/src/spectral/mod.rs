@@ -15,6 +15,7 @@ mod invariant;
 mod matched;
 mod matching;
 mod maxmin;
+mod mode_match;
 mod pair;
 mod planes;
 mod polar_factor;
@@ -22,6 +23,7 @@ mod runs;
 mod signs;
 
 pub use eigenbasis::Eigenbasis;
+pub use mode_match::ModeMatch;
 
 pub(crate) use alignment::turn_between;
 pub(crate) use coefficients::Coefficients;
@@ -29,5 +31,6 @@ pub(crate) use degenerate::{is_degenerate, nearness, with_tie_break};
 pub(crate) use eigenform_dense::product_into;
 pub(crate) use matched::Matched;
 pub(crate) use matching::Pairing;
+pub(crate) use mode_match::eigenvalues_between;
 pub(crate) use pair::Pair;
 pub(crate) use signs::reversals;

@@ -10,7 +10,7 @@ use super::shared::Shared;
 use super::spectral::Spectral;
 use super::{Ends, Transition};
 use crate::choice::{Choice, MethodName, Order};
-use crate::spectral::{Eigenbasis, Matched, Pair, Pairing, is_degenerate, nearness, reversals, turn_between, with_tie_break};
+use crate::spectral::{Eigenbasis, Matched, ModeMatch, Pair, Pairing, is_degenerate, nearness, reversals, turn_between, with_tie_break};
 
 /// The work of one segment, each piece done once however many choices are tried.
 ///
@@ -65,6 +65,16 @@ impl Planner {
             if let Some(transition) = self.step(choice, keep_size) {
                 return transition;
             }
+        }
+    }
+
+    /// How alike the modes of both ends are, with ties between equal eigenvalues decided as for a motion.
+    pub fn mode_match(&mut self) -> ModeMatch {
+        loop {
+            if let Some(pair) = &self.pair {
+                return ModeMatch::of(pair);
+            }
+            self.step_to_pair();
         }
     }
 
