@@ -15,6 +15,7 @@ import type { Desk } from "./files/desk";
 import { FIRST_EXAMPLE, readExample } from "./files/examples";
 import { createIntake, problemFrom, sentence } from "./files/intake";
 import { keepScene } from "./files/keep";
+import type { Aside } from "./panels/aside";
 import { createActions } from "./panels/create-actions";
 import { createDialogs } from "./panels/dialogs/dialogs";
 import type { ActionParts } from "./panels/doing";
@@ -49,7 +50,9 @@ rememberTheme(view.theme);
 rememberRuler(view.ruler);
 followPlayhead(store, playback);
 
-const crew = createCrew(compileEngine(), (title, text) => messages.say({ tone: "problem", title, text }));
+const engineModule = compileEngine();
+const aside = signal<Aside | null>(null);
+const crew = createCrew(engineModule, (title, text) => messages.say({ tone: "problem", title, text }));
 const engine = createEngine(crew);
 const planner = createPlanner({ scene: store.scene, isDragging: store.isDragging, time: playback.time, crew });
 
@@ -109,6 +112,7 @@ const actionParts: ActionParts = {
   view,
   toolbox,
   messages,
+  aside,
   engine,
   planner,
   clipboard: navigator.clipboard,
@@ -126,11 +130,23 @@ const actionParts: ActionParts = {
     examples: () => dialogs.show({ kind: "examples" }),
     help: () => dialogs.show({ kind: "help" }),
     palette: () => dialogs.show({ kind: "palette" }),
+    compare: () => dialogs.show({ kind: "compare", segments: null }),
   },
 };
 const handiwork = laterHandiwork(actionParts);
 const actions = createActions(actionParts, handiwork);
-const studio: Studio = { document: store, playback, view, planner, engine, toolbox, actions, messages };
+const studio: Studio = {
+  document: store,
+  playback,
+  view,
+  planner,
+  engine,
+  engineModule,
+  toolbox,
+  actions,
+  messages,
+  aside,
+};
 
 const stageHost = document.createElement("div");
 const isSettled = signal(false);

@@ -14,7 +14,7 @@ export interface PlannerInputs {
   readonly scene: ReadonlySignal<Scene>;
   readonly isDragging: ReadonlySignal<boolean>;
   readonly time: ReadonlySignal<number>;
-  readonly crew: Crew;
+  readonly crew: Pick<Crew, "planner" | "replacePlanner">;
 }
 
 /** What is known of a segment or keyframe, and of which inputs. */

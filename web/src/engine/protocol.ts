@@ -33,6 +33,16 @@ export interface Calls {
   writeMotion: { ask: { readonly scene: SceneMessage; readonly format: "csv" | "json" }; answer: string };
   link: { ask: { readonly scene: SceneMessage; readonly isShort: boolean }; answer: LinkReport };
   assign: { ask: { readonly source: Float64Array; readonly target: Float64Array }; answer: Uint32Array };
+  modes: {
+    ask: { readonly scene: SceneMessage; readonly keyframe: number; readonly most: number };
+    /** All eigenvalues, then the modes beside the constant one, an entry an agent. */
+    answer: Float64Array;
+  };
+  modesBetween: {
+    ask: { readonly scene: SceneMessage; readonly segment: number; readonly most: number; readonly steps: number };
+    /** Rows of likeness and pairings; eigenvalues at each of the steps, none for 0. */
+    answer: { readonly match: Float32Array; readonly eigenvalues: Float64Array };
+  };
   /** Answered when the request is taken over; results follow as plan messages. */
   plan: { ask: PlanRequest; answer: null };
   /** Answered between two steps of the work that stops. */

@@ -46,6 +46,15 @@ const handlers: Handlers = {
     return JSON.parse(to.link(isShort)) as Calls["link"]["answer"];
   },
   assign: ({ source, target }, to) => to.assign(source, target),
+  modes: ({ scene, keyframe, most }, to) => {
+    take(scene, to);
+    return to.modes(keyframe, most);
+  },
+  modesBetween: ({ scene, segment, most, steps }, to) => {
+    take(scene, to);
+    const match = to.mode_match(segment, most);
+    return { match, eigenvalues: steps > 0 ? to.eigenvalues_between(segment, steps) : new Float64Array(0) };
+  },
   plan: (request, to, id) => {
     plan = null;
     take(request.scene, to);

@@ -1,4 +1,4 @@
-import { computed, signal } from "@preact/signals";
+import { computed, type Signal, signal } from "@preact/signals";
 import { beforeEach, expect, test } from "vitest";
 import { addAgents } from "../document/commands/agents";
 import { createDocument } from "../document/create-store";
@@ -11,6 +11,7 @@ import { createPlayback, type Playback } from "../playback/playback";
 import { createView } from "../stage/create-view";
 import type { Toolbox } from "../tools/toolbox";
 import type { Actions } from "./actions";
+import type { Aside } from "./aside";
 import type { AgentClipboard } from "./clipboard-events";
 import { createActions } from "./create-actions";
 import { followPlayhead } from "./follow-playhead";
@@ -31,6 +32,8 @@ let messages: Messages;
 let actions: Actions;
 let clipboard: AgentClipboard;
 let onClipboard: string;
+let aside: Signal<Aside | null>;
+let isComparing: boolean;
 
 /** The engine's answer to a keyframe CSV, by the book and no further. */
 async function openCsv(text: string) {
@@ -49,6 +52,8 @@ beforeEach(() => {
   playback = createPlayback(computed(() => durationOf(document.scene.value)));
   messages = createMessages();
   onClipboard = "";
+  aside = signal(null);
+  isComparing = false;
   const toolbox: Toolbox = {
     active: signal("select"),
     shape: signal("circle"),
@@ -65,6 +70,7 @@ beforeEach(() => {
     view: createView(document.scene),
     toolbox,
     messages,
+    aside,
     engine: { open: openCsv },
     planner: { segments: signal([]) },
     clipboard: {
@@ -84,6 +90,9 @@ beforeEach(() => {
       examples: nothing,
       help: nothing,
       palette: nothing,
+      compare: () => {
+        isComparing = true;
+      },
     },
   };
   const handiwork = createHandiwork(parts);
@@ -206,4 +215,14 @@ test("places for more agents than there are selected are refused with the reason
   run("add-keyframe");
   await clipboard.paste("1\t2\n3\t4");
   expect(messages.shown.value[0]?.text).toContain("2 places were copied for 4 agents");
+});
+
+test("modes open beside the show, and comparing waits for a transition", () => {
+  run("modes");
+  expect(aside.value).toEqual({ kind: "modes" });
+  expect(actions.get("compare").isEnabled?.value).toBe(false);
+  run("add-keyframe");
+  expect(actions.get("compare").isEnabled?.value).toBe(true);
+  run("compare");
+  expect(isComparing).toBe(true);
 });

@@ -1,3 +1,5 @@
+import { computed } from "@preact/signals";
+import { mainTrack } from "../document/scene";
 import type { Action, Actions } from "./actions";
 import type { ActionParts, Doing, Doings } from "./doing";
 import type { HandiworkId } from "./handiwork";
@@ -9,12 +11,21 @@ import { viewActions } from "./view-actions";
 
 /** Every action of the page: the words and keys of the table with what they do. */
 export function createActions(parts: ActionParts, handiwork: LaterHandiwork): Actions {
-  const { files } = parts;
+  const { files, aside, document } = parts;
   const doings: Doings<ActionId> = {
     ...viewActions(parts),
     ...showActions(parts),
     ...historyActions(parts),
     ...handiworkDoings(handiwork),
+    modes: {
+      run() {
+        aside.value = { kind: "modes" };
+      },
+    },
+    compare: {
+      isEnabled: computed(() => mainTrack(document.scene.value).segments.length > 0),
+      run: files.compare,
+    },
     new: { run: files.new },
     open: { run: files.open },
     save: { run: files.save },

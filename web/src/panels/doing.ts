@@ -1,4 +1,4 @@
-import type { ReadonlySignal } from "@preact/signals";
+import type { ReadonlySignal, Signal } from "@preact/signals";
 import type { Formation } from "../document/formation";
 import type { Scene } from "../document/scene";
 import type { Selection } from "../document/selection";
@@ -7,6 +7,7 @@ import type { Engine, Planner } from "../engine/api";
 import type { Playback } from "../playback/playback";
 import type { View } from "../stage/view";
 import type { Toolbox } from "../tools/toolbox";
+import type { Aside } from "./aside";
 import type { Messages } from "./messages";
 import type { ActionId } from "./shortcuts";
 
@@ -27,6 +28,7 @@ export interface ActionParts {
   readonly view: View;
   readonly toolbox: Toolbox;
   readonly messages: Messages;
+  readonly aside: Signal<Aside | null>;
   readonly engine: Pick<Engine, "open">;
   readonly planner: Pick<Planner, "segments">;
   readonly clipboard: Pick<Clipboard, "readText" | "writeText">;
@@ -35,7 +37,7 @@ export interface ActionParts {
   /** Gives up the gesture under way; whether there was one. */
   cancelGesture(): boolean;
   readonly files: Readonly<
-    Record<"new" | "open" | "save" | "export" | "share" | "examples" | "help" | "palette", () => void>
+    Record<"new" | "open" | "save" | "export" | "share" | "examples" | "help" | "palette" | "compare", () => void>
   >;
 }
 

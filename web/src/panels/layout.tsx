@@ -16,6 +16,7 @@ import { ZoomPill } from "./stage-edge/zoom-pill";
 import { useStudio } from "./studio";
 import { TopBar } from "./top-bar";
 
+const Asides = lazily(() => import("./asides").then((part) => part.Asides));
 const Hint = lazily(() => import("./stage-edge/hint").then((part) => part.Hint));
 
 /** What the page is put together from, beside the panels of this folder. */
@@ -35,12 +36,14 @@ export function Layout({ parts }: { parts: Parts }) {
   const { Timeline, Dialogs } = parts;
   const isSheetOpen = useSheet();
   const hasBegunEmpty = useHasBegunEmpty();
+  const hasAside = useStudio().aside.value !== null;
   return (
     <div class={isSheetOpen.value ? "app sheet-open" : "app"}>
       <TopBar savedText={parts.savedText} />
       <main class="work">
         <section class="stage" aria-label="Stage">
           <StageHost element={parts.stageHost} />
+          {hasAside && <Asides place="stage" />}
           <Rail />
           <ToolOptions />
           <div class="floating view-pills">
@@ -53,6 +56,7 @@ export function Layout({ parts }: { parts: Parts }) {
           <Toasts />
         </section>
         <Inspector isSheetOpen={isSheetOpen} />
+        {hasAside && <Asides place="side" />}
         <div class="time">
           <Timeline />
         </div>

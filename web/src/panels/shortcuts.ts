@@ -66,6 +66,7 @@ export const SHORTCUTS = {
   "tie-group": { section: "Groups", label: "Tie group ten times as firm" },
 
   "use-everywhere": { section: "Transition", label: "Use these options for every transition" },
+  compare: { section: "Transition", label: "Compare methods" },
 
   fit: { section: "View", label: "Fit", keys: ["Shift+1"] },
   "zoom-in": { section: "View", label: "Zoom in", keys: ["+", "="] },
@@ -75,6 +76,7 @@ export const SHORTCUTS = {
   "show-ghosts": { section: "View", label: "Show ghosts" },
   "show-groups": { section: "View", label: "Show groups" },
   "show-names": { section: "View", label: "Show names" },
+  modes: { section: "View", label: "Modes" },
   theme: { section: "View", label: "Light or dark" },
 
   new: { section: "File", label: "New" },

@@ -1,3 +1,4 @@
+import type { Signal } from "@preact/signals";
 import { createContext } from "preact";
 import { useContext } from "preact/hooks";
 import type { DocumentStore } from "../document/store";
@@ -6,6 +7,7 @@ import type { Playback } from "../playback/playback";
 import type { View } from "../stage/view";
 import type { Toolbox } from "../tools/toolbox";
 import type { Actions } from "./actions";
+import type { Aside } from "./aside";
 import type { Messages } from "./messages";
 
 /** What the panels act through. Wired in main.ts; holds no logic of its own. */
@@ -15,9 +17,12 @@ export interface Studio {
   readonly view: View;
   readonly planner: Planner;
   readonly engine: Engine;
+  /** The compiled engine, for views that take one of their own. */
+  readonly engineModule: Promise<WebAssembly.Module>;
   readonly toolbox: Toolbox;
   readonly actions: Actions;
   readonly messages: Messages;
+  readonly aside: Signal<Aside | null>;
 }
 
 export const StudioContext = createContext<Studio | null>(null);

@@ -31,7 +31,12 @@ type Doing =
 const NOTHING: Doing = { kind: "nothing" };
 
 /** Brings pointer and wheel on the stage to the tool in hand; panning and zooming belong to the view. Answers how to stop. */
-export function attachTools(element: HTMLElement, toolbox: ToolboxAtWork, view: View, isMac: boolean): () => void {
+export function attachTools(
+  element: HTMLElement,
+  toolbox: Pick<ToolboxAtWork, "cursor" | "isSpaceHeld" | "notePan" | "send">,
+  view: View,
+  isMac: boolean,
+): () => void {
   const fingers = new Map<number, ScreenPoint>();
   let doing: Doing = NOTHING;
   let lastRoll = { time: Number.NEGATIVE_INFINITY, isFine: false };

@@ -22,8 +22,15 @@ export interface ProblemDetails {
   readonly details: readonly string[];
 }
 
+/** Two ways side by side: the transition at hand, or two transitions between the same formations. */
+export interface Comparison {
+  readonly kind: "compare";
+  readonly segments: readonly [left: number, right: number] | null;
+}
+
 export type DialogRequest =
   | { readonly kind: "share" | "examples" | "help" | "palette" | "export" }
+  | Comparison
   | Question
   | ProblemDetails;
 

@@ -6,7 +6,7 @@ import { Icon } from "../../theme/icons";
 export interface FrameProps {
   readonly title: ComponentChildren;
   /** One of the sizes of dialogs.css. */
-  readonly size: "small" | "medium" | "large";
+  readonly size: "small" | "medium" | "large" | "whole";
   /** A line under the title. */
   readonly lead?: ComponentChildren;
   onClose(): void;

@@ -19,6 +19,7 @@ const DIALOGS: { readonly [K in Kind]: ComponentType<DialogProps<OfKind<K>>> } =
   help: lazily(() => import("./help").then((part) => part.HelpDialog)),
   palette: lazily(() => import("./palette").then((part) => part.PaletteDialog)),
   export: lazily(() => import("./export").then((part) => part.ExportDialog)),
+  compare: lazily(() => import("../compare/compare").then((part) => part.CompareDialog)),
   question: lazily(() => import("./question").then((part) => part.QuestionDialog)),
   problem: lazily(() => import("./question").then((part) => part.ProblemDialog)),
 };

@@ -7,6 +7,7 @@ import { LIMITS } from "../../document/limits";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import type { Command } from "../../document/store";
+import { WordAction } from "../action-button";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
 import { Switch } from "../controls/switch";
@@ -61,6 +62,11 @@ export function KeyframePanel({ index }: { index: number }) {
           isOn={keyframe.adjacency !== null}
           onToggle={(isOn) => document.perform(isOn ? giveOwnTies(index) : dropOwnTies(index))}
         />
+        <div class="inspector-buttons">
+          <WordAction id="modes" class="button">
+            Modes
+          </WordAction>
+        </div>
       </Section>
     </>
   );

@@ -2,6 +2,7 @@ import { rippleKeyframe } from "../../document/commands/retime";
 import { LIMITS, SHORTEST_TRANSITION } from "../../document/limits";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
+import { WordAction } from "../action-button";
 import { StatusPill } from "../status";
 import { useStudio } from "../studio";
 import { Candidates } from "./candidates";
@@ -44,6 +45,16 @@ export function TransitionPanel({ index }: { index: number }) {
         {view.plan && view.status === "clash" && <ClashNote report={view.plan.report} />}
       </Section>
       {view.plan && <Measures plan={view.plan} />}
+      <Section>
+        <div class="inspector-buttons">
+          <WordAction id="compare" class="button">
+            Compare side by side
+          </WordAction>
+          <WordAction id="modes" class="button">
+            Modes
+          </WordAction>
+        </div>
+      </Section>
       {view.plan && <Candidates report={view.plan.report} isAuto={segment.method === "auto"} />}
     </>
   );

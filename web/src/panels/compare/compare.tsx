@@ -1,0 +1,38 @@
+import "../dialogs/dialogs.css";
+import "./compare.css";
+import { useState } from "preact/hooks";
+import { keyframeLabel } from "../../document/queries";
+import { mainTrack } from "../../document/scene";
+import type { Comparison } from "../dialogs/dialogs";
+import { Frame } from "../dialogs/frame";
+import type { DialogProps } from "../dialogs/host";
+import { useStudio } from "../studio";
+import { Sides } from "./side-by-side";
+import { startingSides, transitionAtHand } from "./starting-sides";
+
+/** Two ways from one formation to the next, side by side and in step, with the numbers of both. */
+export function CompareDialog({ request, dialogs }: DialogProps<Comparison>) {
+  const { document, playback } = useStudio();
+  const [sides] = useState(() => {
+    const scene = document.scene.peek();
+    const hand = transitionAtHand(scene, document.selection.peek(), playback.time.peek());
+    playback.pause();
+    return startingSides(scene, request.segments ?? [hand, hand]);
+  });
+  const scene = document.scene.value;
+  const index = sides?.[0].segment ?? 0;
+  return (
+    <Frame
+      title="Compare methods"
+      size="whole"
+      lead={mainTrack(scene).segments[index] && `${keyframeLabel(scene, index)} → ${keyframeLabel(scene, index + 1)}`}
+      onClose={dialogs.close}
+    >
+      {sides ? (
+        <Sides first={sides} onDone={dialogs.close} />
+      ) : (
+        <p class="dialog-text">There is no transition to compare yet. Add a second keyframe first.</p>
+      )}
+    </Frame>
+  );
+}

@@ -1,0 +1,38 @@
+import { useComputed } from "@preact/signals";
+import { mainTrack } from "../../document/scene";
+import { useStudio } from "../studio";
+
+const WIDTH = 272;
+const HEIGHT = 132;
+
+/** Every eigenvalue as a line over the transition's time, with the playhead. */
+export function BetweenPlot(props: { eigenvalues: Float64Array; agentCount: number; segment: number }) {
+  const { document, playback } = useStudio();
+  const { eigenvalues, agentCount, segment } = props;
+  const keyframes = mainTrack(document.scene.value).keyframes;
+  const from = (keyframes[segment]?.time ?? 0) + (keyframes[segment]?.hold ?? 0);
+  const to = keyframes[segment + 1]?.time ?? from;
+  const x = useComputed(() => (WIDTH * (playback.time.value - from)) / Math.max(1e-9, to - from));
+  const isNow = useComputed(() => (playback.time.value >= from && playback.time.value <= to ? "visible" : "hidden"));
+  return (
+    <svg class="between" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} aria-hidden="true">
+      <path d={linesOf(eigenvalues, agentCount)} />
+      <line class="plot-now" x1={x} x2={x} y1="0" y2={HEIGHT} visibility={isNow} />
+    </svg>
+  );
+}
+
+/** SVG path data, a line a mode; the constant mode's is the lower edge. */
+export function linesOf(eigenvalues: Float64Array, agentCount: number): string {
+  const instants = eigenvalues.length / agentCount;
+  const greatest = Math.max(...eigenvalues, 1e-9);
+  let path = "";
+  for (let mode = 0; mode < agentCount; mode += 1) {
+    for (let instant = 0; instant < instants; instant += 1) {
+      const x = (WIDTH * instant) / Math.max(1, instants - 1);
+      const y = HEIGHT - 1 - (HEIGHT - 3) * ((eigenvalues[instant * agentCount + mode] ?? 0) / greatest);
+      path += `${instant === 0 ? "M" : "L"}${x.toFixed(1)} ${y.toFixed(1)}`;
+    }
+  }
+  return path;
+}

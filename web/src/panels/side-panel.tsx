@@ -1,0 +1,49 @@
+import "./side-panel.css";
+import { X } from "lucide";
+import type { ComponentChildren } from "preact";
+import { useEffect, useRef } from "preact/hooks";
+import { Icon } from "../theme/icons";
+import { useStudio } from "./studio";
+
+/** A region that takes the inspector's place until it is closed; on a phone a sheet. The focus comes with it and goes back. */
+export function SidePanel(props: { name: string; title: ComponentChildren; children: ComponentChildren }) {
+  const { aside } = useStudio();
+  const close = useRef<HTMLButtonElement>(null);
+  useEffect(() => {
+    const before = document.activeElement;
+    close.current?.focus({ focusVisible: false } as FocusOptions);
+    return () => {
+      if (before instanceof HTMLElement && before.isConnected) before.focus({ focusVisible: false } as FocusOptions);
+    };
+  }, []);
+  return (
+    <section
+      class="side-panel"
+      aria-label={props.name}
+      onKeyDown={(event) => {
+        if (event.key !== "Escape" || event.defaultPrevented) return;
+        event.stopPropagation();
+        aside.value = null;
+      }}
+    >
+      <header class="inspector-head">
+        <p class="inspector-kind">
+          <span>{props.name}</span>
+          <button
+            ref={close}
+            type="button"
+            class="icon-button side-panel-close"
+            aria-label={`Close ${props.name}`}
+            onClick={() => {
+              aside.value = null;
+            }}
+          >
+            <Icon node={X} />
+          </button>
+        </p>
+        <h2>{props.title}</h2>
+      </header>
+      {props.children}
+    </section>
+  );
+}
