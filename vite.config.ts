@@ -12,6 +12,8 @@ export default defineConfig({
     manifest: true,
     target: "es2022",
     assetsInlineLimit: 0,
+    // The perspective view brings three along, when it is opened.
+    chunkSizeWarningLimit: 600,
     modulePreload: { polyfill: false },
     rolldownOptions: {
       // What is needed at first travels in one piece: many small shared chunks compress worse.

@@ -80,6 +80,7 @@ function showFromStart(): void {
   playback.pause();
   playback.seek(0);
   view.fit();
+  view.lens.peek()?.fit();
 }
 
 /** Nothing moves by itself for a person who asked for less motion. */

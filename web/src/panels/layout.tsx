@@ -8,16 +8,20 @@ import { lazily } from "./lazily";
 import { Rail } from "./rail";
 import { SheetButton, useSheet } from "./sheet";
 import { ContextBar } from "./stage-edge/context-bar";
-import { InfoLine } from "./stage-edge/info-line";
-import { LayerToggles } from "./stage-edge/layer-toggles";
 import { Toasts } from "./stage-edge/toasts";
 import { ToolOptions } from "./stage-edge/tool-options";
-import { ZoomPill } from "./stage-edge/zoom-pill";
 import { useStudio } from "./studio";
 import { TopBar } from "./top-bar";
 
 const Asides = lazily(() => import("./asides").then((part) => part.Asides));
 const Hint = lazily(() => import("./stage-edge/hint").then((part) => part.Hint));
+const ViewPills = lazily(() => import("./stage-edge/view-pills").then((part) => part.ViewPills));
+const PerspectiveView = lazily(
+  () => import("./perspective/perspective-view").then((part) => part.PerspectiveView),
+  ({ view }) => {
+    view.projection.value = "plan";
+  },
+);
 
 /** What the page is put together from, beside the panels of this folder. */
 export interface Parts {
@@ -34,9 +38,10 @@ export interface Parts {
 /** The regions of the page and nothing else. */
 export function Layout({ parts }: { parts: Parts }) {
   const { Timeline, Dialogs } = parts;
+  const { aside, view } = useStudio();
   const isSheetOpen = useSheet();
   const hasBegunEmpty = useHasBegunEmpty();
-  const hasAside = useStudio().aside.value !== null;
+  const hasAside = aside.value !== null;
   return (
     <div class={isSheetOpen.value ? "app sheet-open" : "app"}>
       <TopBar savedText={parts.savedText} />
@@ -44,14 +49,11 @@ export function Layout({ parts }: { parts: Parts }) {
         <section class="stage" aria-label="Stage">
           <StageHost element={parts.stageHost} />
           {hasAside && <Asides place="stage" />}
+          {view.projection.value === "perspective" && <PerspectiveView />}
           <Rail />
           <ToolOptions />
-          <div class="floating view-pills">
-            <LayerToggles />
-          </div>
+          <ViewPills />
           <SheetButton isOpen={isSheetOpen} />
-          <InfoLine />
-          <ZoomPill />
           <ContextBar />
           <Toasts />
         </section>

@@ -2,14 +2,17 @@ import { signal } from "@preact/signals";
 import { type ComponentType, type FunctionComponent, h } from "preact";
 import { useEffect } from "preact/hooks";
 import { type Messages, NOT_LOADED } from "./messages";
-import { useStudio } from "./studio";
+import { type Studio, useStudio } from "./studio";
 
-/** A component that is fetched when it is first shown, and shows nothing until then. */
-export function lazily<Props extends object>(load: () => Promise<ComponentType<Props>>): FunctionComponent<Props> {
+/** A component that is fetched when it is first shown, and shows nothing until then; `onFailed` when it does not come. */
+export function lazily<Props extends object>(
+  load: () => Promise<ComponentType<Props>>,
+  onFailed?: (studio: Studio) => void,
+): FunctionComponent<Props> {
   const part = createPart(load);
   return function Lazy(props: Props) {
-    const { messages } = useStudio();
-    useEffect(() => part.fetch(messages), [messages]);
+    const studio = useStudio();
+    useEffect(() => part.fetch(studio.messages, () => onFailed?.(studio)), [studio]);
     const Shown = part.loaded.value?.component;
     return Shown ? h(Shown, props) : null;
   };
@@ -21,14 +24,17 @@ function createPart<Props extends object>(load: () => Promise<ComponentType<Prop
   let isFetching = false;
   return {
     loaded,
-    fetch(messages: Messages): void {
+    fetch(messages: Messages, onFailed: () => void): void {
       if (isFetching || loaded.peek()) return;
       isFetching = true;
       load()
         .then((component) => {
           loaded.value = { component };
         })
-        .catch(() => messages.say(NOT_LOADED))
+        .catch(() => {
+          messages.say(NOT_LOADED);
+          onFailed();
+        })
         .finally(() => {
           isFetching = false;
         });

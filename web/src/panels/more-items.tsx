@@ -1,5 +1,6 @@
 import { WordAction } from "./action-button";
 import { LayerToggles } from "./stage-edge/layer-toggles";
+import { ProjectionSwitch } from "./stage-edge/view-pills";
 import { useStudio } from "./studio";
 import { useIsDark } from "./use-is-dark";
 
@@ -43,6 +44,7 @@ export function MoreItems({ close }: { close(): void }) {
           {isDark ? "Light theme" : "Dark theme"}
         </WordAction>
         <hr class="menu-line" />
+        <ProjectionSwitch />
         <LayerToggles />
       </div>
     </div>

@@ -68,6 +68,7 @@ export const SHORTCUTS = {
   "use-everywhere": { section: "Transition", label: "Use these options for every transition" },
   compare: { section: "Transition", label: "Compare methods" },
 
+  perspective: { section: "View", label: "Plan or perspective", keys: ["P"] },
   fit: { section: "View", label: "Fit", keys: ["Shift+1"] },
   "zoom-in": { section: "View", label: "Zoom in", keys: ["+", "="] },
   "zoom-out": { section: "View", label: "Zoom out", keys: ["-"] },

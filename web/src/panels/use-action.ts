@@ -7,7 +7,7 @@ export function useAction(id: string): { readonly action: Action; readonly isEna
   return { action, isEnabled: action.isEnabled?.value ?? true };
 }
 
-const isMac = typeof navigator !== "undefined" && /Mac|iPhone|iPad/.test(navigator.userAgent);
+export const isMac = typeof navigator !== "undefined" && /Mac|iPhone|iPad/.test(navigator.userAgent);
 
 const ARROWS: Readonly<Record<string, string>> = { Left: "←", Right: "→", Up: "↑", Down: "↓" };
 

@@ -8,6 +8,7 @@ type ViewId =
   | `tool-${ToolName}`
   | "place-in-middle"
   | "cancel"
+  | "perspective"
   | "fit"
   | "zoom-in"
   | "zoom-out"
@@ -18,11 +19,15 @@ const ZOOM_STEP = 1.25;
 
 /** The tool in hand and how the stage is looked at: none of it is part of the scene. */
 export function viewActions({ document, view, toolbox, messages, cancelGesture }: ActionParts): Doings<ViewId> {
+  /** Tools work on the plan. */
   const tool = (name: ToolName): Doing => ({
     run() {
       toolbox.active.value = name;
+      view.projection.value = "plan";
     },
   });
+
+  const lens = () => view.lens.peek() ?? view;
 
   const layer = (name: keyof Layers): Doing => ({
     run() {
@@ -50,9 +55,14 @@ export function viewActions({ document, view, toolbox, messages, cancelGesture }
         else toolbox.active.value = "select";
       },
     },
-    fit: { run: () => view.fit() },
-    "zoom-in": { run: () => view.zoomBy(ZOOM_STEP) },
-    "zoom-out": { run: () => view.zoomBy(1 / ZOOM_STEP) },
+    perspective: {
+      run() {
+        view.projection.value = view.projection.peek() === "plan" ? "perspective" : "plan";
+      },
+    },
+    fit: { run: () => lens().fit() },
+    "zoom-in": { run: () => lens().zoomBy(ZOOM_STEP) },
+    "zoom-out": { run: () => lens().zoomBy(1 / ZOOM_STEP) },
     "show-ties": layer("ties"),
     "show-trails": layer("trails"),
     "show-ghosts": layer("ghosts"),

@@ -15,7 +15,7 @@ import {
 import { createGlide, framesForMotion } from "./glide";
 import { contentOf, sheetOf } from "./sheet";
 import { clamp } from "./spacing";
-import type { Camera, Layers, View } from "./view";
+import type { Camera, Layers, Lens, View } from "./view";
 
 const EVERYTHING: Layers = { ties: true, trails: true, ghosts: true, groups: true, names: true };
 
@@ -75,6 +75,8 @@ export function createView(scene: ReadonlySignal<Scene>): View {
     hovered: signal<number | null>(null),
     theme: signal<"light" | "dark" | "system">("system"),
     ruler: signal<"seconds" | "counts">("seconds"),
+    projection: signal<"plan" | "perspective">("plan"),
+    lens: signal<Lens | null>(null),
     zoom: computed(() => camera.value.scale / whole.value.scale),
     zoomBy(factor, at) {
       const middle = at ?? { x: size.peek().width / 2, y: size.peek().height / 2 };

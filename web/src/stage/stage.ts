@@ -1,14 +1,15 @@
 import "./stage.css";
-import { computed, effect, signal } from "@preact/signals";
+import { computed, effect } from "@preact/signals";
 import { createCanvases } from "./canvases";
 import { castOf } from "./cast";
+import { onDensityChange } from "./density";
 import type { StageInputs } from "./inputs";
 import { arrivals, later } from "./later";
 import { createLoop } from "./loop";
 import { createPace } from "./pace";
 import { createPainter, type Look, type Needs, type Painter } from "./painter";
-import { type Palette, paletteOf } from "./palette";
 import { createSubject } from "./subject";
+import { watchPalette } from "./watch-palette";
 
 /** Not for those who find their own scene here, or an example. */
 const emptyState = later(() => import("./empty-state"));
@@ -25,7 +26,8 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   const canvases = createCanvases(host);
   let empty: HTMLElement | null = null;
 
-  const palette = signal<Palette | null>(null);
+  const watch = watchPalette(host, view.theme);
+  const { palette } = watch;
   const subject = createSubject(scene, selection, segments, inputs.ties);
   const { track, show } = subject;
   const agents = computed(() => track.value.agents);
@@ -42,6 +44,8 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   let painter: Painter | null = null;
 
   const loop = createLoop((elapsed) => {
+    // What nobody sees is not drawn; the view that covers it plays the show meanwhile.
+    if (view.lens.peek()) return false;
     pace.note(elapsed);
     if (playback.isPlaying.peek()) playback.tick(elapsed);
     draw();
@@ -50,7 +54,7 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
 
   function need(...parts: (keyof Needs)[]): void {
     for (const part of parts) needs[part] = true;
-    loop.invalidate();
+    if (!view.lens.peek()) loop.invalidate();
   }
 
   function draw(): void {
@@ -66,7 +70,7 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   function measure(): void {
     const { clientWidth: width, clientHeight: height } = host;
     if (width === 0 || height === 0) return;
-    palette.value = paletteOf(host);
+    watch.read();
     canvases.resize({ width, height });
     view.size.value = { width, height };
     // In this very frame: a resized canvas is empty until it is drawn on.
@@ -76,24 +80,13 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
     draw();
   }
 
-  function readPalette(): void {
-    if (host.isConnected) palette.value = paletteOf(host);
-  }
-
   const observer = new ResizeObserver(measure);
   observer.observe(host);
   const stopDensity = onDensityChange(measure);
-  const systemTheme = matchMedia("(prefers-color-scheme: dark)");
-  systemTheme.addEventListener("change", readPalette);
 
   const stops = [
     effect(() => {
-      void view.theme.value;
-      // The page's theme attribute follows the same signal; by the next frame it is set.
-      requestAnimationFrame(readPalette);
-    }),
-    effect(() => {
-      void [view.camera.value, look.value, view.layers.value, scene.value.stage];
+      void [view.lens.value, view.camera.value, look.value, view.layers.value, scene.value.stage];
       need("backdrop", "motion", "handles");
     }),
     effect(() => {
@@ -136,22 +129,9 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
       loop.stop();
       observer.disconnect();
       stopDensity();
-      systemTheme.removeEventListener("change", readPalette);
+      watch.stop();
       host.classList.remove("stage-sheet");
       host.replaceChildren();
     },
   };
-}
-
-/** Calls back when the page comes to a screen with other pixels. Answers how to stop. */
-function onDensityChange(changed: () => void): () => void {
-  let query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-  const listen = () => {
-    query.removeEventListener("change", listen);
-    query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-    query.addEventListener("change", listen);
-    changed();
-  };
-  query.addEventListener("change", listen);
-  return () => query.removeEventListener("change", listen);
 }

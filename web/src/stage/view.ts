@@ -18,8 +18,16 @@ export interface Camera {
   readonly top: number;
 }
 
+/** What zooms and fits: the plan, or what is seen instead of it. */
+export interface Lens {
+  /** Zooms by a factor, about the middle unless told where (CSS pixels of the stage element). */
+  zoomBy(factor: number, at?: { readonly x: number; readonly y: number }): void;
+  /** Shows the whole show: the stage, or closer where the agents use little of it. */
+  fit(): void;
+}
+
 /** How the person looks at the stage: never part of the scene nor of undo. */
-export interface View {
+export interface View extends Lens {
   readonly camera: Signal<Camera>;
   readonly layers: Signal<Layers>;
   /** CSS pixels of the stage element. */
@@ -30,9 +38,9 @@ export interface View {
   readonly ruler: Signal<"seconds" | "counts">;
   /** How close: 1 when the whole stage just fits, 2 at twice that. */
   readonly zoom: ReadonlySignal<number>;
-  /** Zooms by a factor, about the middle unless told where (CSS pixels of the stage element). */
-  zoomBy(factor: number, at?: { readonly x: number; readonly y: number }): void;
+  /** What the person asked to see; the plan shows until the perspective is there. */
+  readonly projection: Signal<"plan" | "perspective">;
+  /** The perspective view while it covers the plan, which then rests. */
+  readonly lens: Signal<Lens | null>;
   panBy(dx: number, dy: number): void;
-  /** Shows the whole show: the stage, or closer where the agents use little of it. */
-  fit(): void;
 }

@@ -9,13 +9,14 @@ const LAYERS: readonly { readonly layer: keyof Layers; readonly name: string }[]
   { layer: "names", name: "Names" },
 ];
 
-/** What the stage shows beside the agents. */
+/** What the stage shows beside the agents; in perspective little of it is to be seen. */
 export function LayerToggles() {
   const { actions, view } = useStudio();
   const layers = view.layers.value;
+  const shown = view.projection.value === "plan" ? LAYERS : LAYERS.filter(({ layer }) => layer === "trails");
   return (
     <fieldset class="layer-toggles" aria-label="Shown on the stage">
-      {LAYERS.map(({ layer, name }) => (
+      {shown.map(({ layer, name }) => (
         <button
           key={layer}
           type="button"

@@ -1,0 +1,51 @@
+import { useStudio } from "../studio";
+import { keyName, keyShortcuts, useAction } from "../use-action";
+import { InfoLine } from "./info-line";
+import { LayerToggles } from "./layer-toggles";
+import { ZoomPill } from "./zoom-pill";
+
+/** From where and how close the stage is seen, what shows on it and what its marks mean. */
+export function ViewPills() {
+  return (
+    <>
+      <div class="floating view-pills">
+        <ProjectionSwitch />
+        <span class="separator" />
+        <LayerToggles />
+      </div>
+      <InfoLine />
+      <ZoomPill />
+    </>
+  );
+}
+
+const PROJECTIONS = [
+  { projection: "plan", name: "Plan" },
+  { projection: "perspective", name: "Perspective" },
+] as const;
+
+/** The plan, or the show in perspective. */
+export function ProjectionSwitch() {
+  const { view } = useStudio();
+  const { action } = useAction("perspective");
+  const [key] = action.keys;
+  return (
+    <fieldset class="layer-toggles" aria-label="Seen as">
+      {PROJECTIONS.map(({ projection, name }) => (
+        <button
+          key={projection}
+          type="button"
+          class="toggle"
+          aria-pressed={view.projection.value === projection}
+          aria-keyshortcuts={keyShortcuts(action.keys)}
+          title={key && `${action.label} (${keyName(key)})`}
+          onClick={() => {
+            view.projection.value = projection;
+          }}
+        >
+          {name}
+        </button>
+      ))}
+    </fieldset>
+  );
+}

@@ -1,0 +1,75 @@
+import { Color, Group } from "three";
+import type { SegmentMotion } from "../../playback/motion";
+import type { Show } from "../../playback/show";
+import type { Cast } from "../cast";
+import type { Palette } from "../palette";
+import { type BodyKind, createBodies } from "./bodies";
+import { Instances } from "./instances";
+import { createMarks } from "./marks";
+import { Movement } from "./movement";
+import type { BodySizes } from "./sizes";
+import { createTrails } from "./trails";
+
+/** Shadows on paper and at night, where there is little to take away. */
+const DARKNESS = { light: 0.2, dark: 0.55 } as const;
+
+/** Marks of a figure are as wide as a disc of this share of its height. */
+const FIGURE_RADIUS = 0.17;
+
+/** Everybody of a show, with what lies on the ground around them. */
+export interface Crowd {
+  readonly count: number;
+  readonly group: Group;
+  /** x, y, z and heading an agent. */
+  readonly place: Float32Array;
+  /** Everybody at `time`; allocates nothing. */
+  pose(show: Show, time: number, kind: BodyKind, sizes: BodySizes): void;
+  /** Trails of `motion` at `time`, of bodies of `radius` meters; none without one. */
+  trail(motion: SegmentMotion | null, time: number, strength: number, radius: number): void;
+  paint(palette: Palette, cast: Cast): void;
+  choose(agents: ReadonlySet<number>): void;
+  dispose(): void;
+}
+
+export function createCrowd(count: number): Crowd {
+  const instances = new Instances(count);
+  const movement = new Movement(count);
+  const bodies = createBodies(instances);
+  const marks = createMarks(instances);
+  const trails = createTrails(instances);
+  const group = new Group();
+  group.add(trails.mesh, marks.mesh, ...bodies.meshes);
+  return {
+    count,
+    group,
+    place: instances.place,
+    pose(show, time, kind, sizes) {
+      movement.poseInto(show, time, kind, sizes, instances);
+      instances.moved();
+      bodies.show(kind, sizes);
+      marks.setRadius(markRadius(kind, sizes));
+    },
+    trail(motion, time, strength, radius) {
+      if (motion && motion.agentCount === count) trails.update(motion, time, radius, strength);
+      else trails.mesh.visible = false;
+    },
+    paint(palette, { colors }) {
+      instances.paint(colors);
+      const darkness = palette.isDark ? DARKNESS.dark : DARKNESS.light;
+      marks.setTheme(new Color(palette.isDark ? "#000000" : palette.ink), darkness, new Color(palette.you));
+      bodies.setTheme(palette.isDark);
+      trails.paint(palette.trailAlpha);
+    },
+    choose: (agents) => instances.choose(agents),
+    dispose() {
+      bodies.dispose();
+      marks.dispose();
+      trails.dispose();
+    },
+  };
+}
+
+/** Of the shadow and the ring of one body, meters. */
+export function markRadius(kind: BodyKind, sizes: BodySizes): number {
+  return kind === "figures" ? sizes.figure * FIGURE_RADIUS : sizes.disc;
+}

@@ -1,0 +1,85 @@
+import { type Color, ColorManagement, LinearSRGBColorSpace, PerspectiveCamera, type Scene, WebGLRenderer } from "three";
+import type { Size } from "../camera";
+import type { Orbit } from "./orbit";
+import { FIELD_OF_VIEW, type Sight } from "./sight";
+
+/** Canvas pixels a CSS pixel at most: edges are smoothed anyway, and every frame costs more. */
+const DENSEST = 2;
+
+/** Textures are no larger than this, and no sharper along a slope. */
+const LARGEST_TEXTURE = 3072;
+const SHARPEST = 8;
+
+/** The browser draws nothing in three dimensions. */
+export class NoGraphics extends Error {}
+
+// The page's colors are meant for the screen as they are; nothing here is light to be computed with.
+ColorManagement.enabled = false;
+
+/** What draws in three dimensions, on a canvas of its own. */
+export interface Device {
+  /** Canvas pixels a CSS pixel. */
+  readonly density: number;
+  /** Pixels either way. */
+  readonly largestTexture: number;
+  /** Samples along a slope. */
+  readonly sharpness: number;
+  clearTo(color: Color): void;
+  resize(size: Size): void;
+  draw(space: Scene, sight: Sight, orbit: Orbit): void;
+  dispose(): void;
+}
+
+/** A canvas in `host`, hidden from screen readers. Throws `NoGraphics`; `onLost` is told when the device goes away later. */
+export function createDevice(host: HTMLElement, onLost: () => void): Device {
+  const canvas = document.createElement("canvas");
+  canvas.setAttribute("aria-hidden", "true");
+  const context = canvas.getContext("webgl2", { alpha: false, antialias: true, powerPreference: "high-performance" });
+  if (!context) throw new NoGraphics("this browser has no WebGL 2");
+  const renderer = new WebGLRenderer({ canvas, context });
+  renderer.outputColorSpace = LinearSRGBColorSpace;
+  const camera = new PerspectiveCamera((FIELD_OF_VIEW * 180) / Math.PI);
+  camera.matrixAutoUpdate = false;
+  canvas.addEventListener("webglcontextlost", onLost);
+  host.append(canvas);
+  let density = 1;
+  return {
+    get density() {
+      return density;
+    },
+    largestTexture: Math.min(renderer.capabilities.maxTextureSize, LARGEST_TEXTURE),
+    sharpness: Math.min(renderer.capabilities.getMaxAnisotropy(), SHARPEST),
+    clearTo: (color) => renderer.setClearColor(color),
+    resize({ width, height }) {
+      density = Math.min(globalThis.devicePixelRatio || 1, DENSEST);
+      renderer.setPixelRatio(density);
+      renderer.setSize(width, height, false);
+      camera.aspect = width / Math.max(height, 1);
+    },
+    draw(space, sight, orbit) {
+      aim(camera, sight, orbit);
+      renderer.render(space, camera);
+    },
+    dispose() {
+      canvas.removeEventListener("webglcontextlost", onLost);
+      renderer.dispose();
+      // A browser lends out only so many devices, and takes them back late by itself.
+      context.getExtension("WEBGL_lose_context")?.loseContext();
+      canvas.remove();
+    },
+  };
+}
+
+/** The camera is told where it is and works out nothing itself. */
+function aim(camera: PerspectiveCamera, { right, up, forward, eye }: Sight, { distance }: Orbit): void {
+  // Depth has the most room near the eye: as much of it as the view allows.
+  camera.near = distance / 50;
+  camera.far = distance * 50;
+  camera.updateProjectionMatrix();
+  const [ex = 0, ey = 0, ez = 0] = eye;
+  const [rx = 0, ry = 0, rz = 0] = right;
+  const [ux = 0, uy = 0, uz = 0] = up;
+  const [fx = 0, fy = 0, fz = 0] = forward;
+  camera.matrix.set(rx, ux, -fx, ex, ry, uy, -fy, ey, rz, uz, -fz, ez, 0, 0, 0, 1);
+  camera.matrixWorldNeedsUpdate = true;
+}
