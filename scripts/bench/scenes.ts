@@ -32,6 +32,9 @@ export function strewnShow(agentCount: number, keyframeCount: number, seconds: n
     sharing: 0.5,
     keepSize: false,
     timing: "smooth",
+    avoidance: false,
+    hierarchy: false,
+    nodes: [],
   } as const;
   const segments = Array.from({ length: keyframeCount - 1 }, () => segment);
   return { ...scene, tracks: [{ ...mainTrack(scene), agents, keyframes, segments }] };

@@ -61,16 +61,16 @@ pub enum Verb {
 pub struct Source {
     /// A scene file, a keyframe CSV, a link in quotes, or - for standard input
     pub scene: String,
-    /// In place of every transition's method: auto, spectral, shared, polar or linear
+    /// In place of every method, those of groups included: auto, spectral, shared, polar or linear
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
-    /// In place of the scene's join: separate
+    /// In place of the scene's join: separate, smooth or product
     #[arg(long, value_name = "JOIN")]
     pub join: Option<String>,
     /// In place of the scene's minimum distance, meters
     #[arg(long, value_name = "METERS", allow_negative_numbers = true)]
     pub minimum_distance: Option<f64>,
-    /// In place of every transition's avoidance: false
+    /// In place of every transition's avoidance: true or false; alone it means true
     #[arg(long, value_name = "BOOLEAN")]
     pub avoidance: Option<String>,
 }

@@ -4,13 +4,23 @@ use std::fs::File;
 use std::io::{self, Read as _};
 use std::path::Path;
 
-use eigenform::choice::MethodName;
+use eigenform::choice::{Join, MethodName};
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::scene::{Opened, Scene, Segment, limits, open, open_bytes, validate};
 
 use crate::arguments::Source;
 use crate::failure::Failure;
+
+/// Words that may be typed, and what each means.
+type Words<T> = (&'static [&'static str], &'static [T]);
+
+const METHODS: Words<MethodName> = (
+    &["auto", "spectral", "shared", "polar", "linear"],
+    &[MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear],
+);
+const JOINS: Words<Join> = (&["separate", "smooth", "product"], &[Join::Separate, Join::Smooth, Join::Product]);
+const BOOLEANS: Words<bool> = (&["true", "false"], &[true, false]);
 
 /// Reads the scene and applies what is to be otherwise.
 pub fn read(source: &Source) -> Result<Opened, Failure> {
@@ -52,10 +62,7 @@ fn is_link(text: &str) -> bool {
 
 fn override_parts(scene: &mut Scene, source: &Source) -> Result<(), Failure> {
     if let Some(join) = &source.join {
-        only(join, "separate", &["smooth", "product"], "--join")?;
-    }
-    if let Some(avoidance) = &source.avoidance {
-        only(avoidance, "false", &["true"], "--avoidance")?;
+        scene.join = word(join, &JOINS, "--join")?;
     }
     if let Some(distance) = source.minimum_distance {
         if !limits::LENGTH.contains(&distance) {
@@ -64,35 +71,32 @@ fn override_parts(scene: &mut Scene, source: &Source) -> Result<(), Failure> {
         }
         scene.minimum_distance = distance;
     }
-    if let Some(method) = &source.method {
-        let method = method_of(method)?;
-        for Segment::Transition(transition) in &mut scene.tracks[0].segments {
+    let avoidance = source.avoidance.as_ref().map(|typed| word(typed, &BOOLEANS, "--avoidance")).transpose()?;
+    let method = source.method.as_ref().map(|typed| method_of(typed)).transpose()?;
+    for Segment::Transition(transition) in &mut scene.tracks[0].segments {
+        transition.avoidance = avoidance.unwrap_or(transition.avoidance);
+        if let Some(method) = method {
             transition.method = method;
-            // What auto took before belongs to the scene as it was saved.
+            // What auto took before, and what groups move by, belongs to the scene as it was saved.
             transition.chosen = None;
+            transition.nodes.clear();
         }
     }
     Ok(())
 }
 
-fn method_of(word: &str) -> Result<MethodName, Error> {
-    const ADMISSIBLE: &[&str] = &["auto", "spectral", "shared", "polar", "linear"];
-    let methods = [MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear];
-    match ADMISSIBLE.iter().position(|known| *known == word) {
-        Some(at) => Ok(methods[at]),
-        None if word == "crowd" => Err(unsupported(word, "auto, spectral, shared, polar or linear", "--method")),
-        None => Err(Error::UnknownValue { value: quoted(word), admissible: ADMISSIBLE, place: "--method".to_owned() }),
+fn method_of(typed: &str) -> Result<MethodName, Failure> {
+    if typed == "crowd" {
+        return Err(unsupported(typed, "auto, spectral, shared, polar or linear", "--method").into());
     }
+    word(typed, &METHODS, "--method")
 }
 
-/// Takes the one supported word; words of later versions are not supported yet, others are unknown.
-pub fn only(word: &str, supported: &'static str, later: &[&str], place: &str) -> Result<(), Failure> {
-    if word == supported {
-        Ok(())
-    } else if later.contains(&word) {
-        Err(unsupported(word, supported, place).into())
-    } else {
-        Err(Failure::usage(format!("{} is not known here; it must be {supported}", quoted(word)), place))
+/// The meaning of the one of `words` that was typed.
+fn word<T: Copy>(typed: &str, (words, meanings): &Words<T>, place: &str) -> Result<T, Failure> {
+    match words.iter().position(|known| *known == typed) {
+        Some(at) => Ok(meanings[at]),
+        None => Err(Error::UnknownValue { value: quoted(typed), admissible: words, place: place.to_owned() }.into()),
     }
 }
 

@@ -30,7 +30,6 @@ fn usage_is_two() {
         &["modes", "show.json", "--keyframe", "0", "--vectors"],
         &["link", "show.json", "--base", "https://example.org/#top"],
         &["convert", "show.json", "show.xml"],
-        &["check", "show.json", "--join", "sideways"],
     ] {
         check(&desk, arguments, 2, "usage: ");
     }
@@ -59,6 +58,8 @@ fn bad_input_is_two_and_says_where() {
         (&["motion", "show.json", "--at", "NaN"], "not-finite: "),
         (&["check", "show.json", "--minimum-distance", "-1"], "out-of-range: "),
         (&["check", "show.json", "--method", "fast"], "unknown-value: "),
+        (&["check", "show.json", "--join", "sideways"], "unknown-value: \"sideways\" is not known here; it must be one of \"separate\""),
+        (&["check", "show.json", "--avoidance=yes"], "unknown-value: "),
         (&["open", "https://example.org/"], "not-a-link: "),
         (&["open", "show.json"], "not-a-link: "),
         (&["open", "#s=1.AAAA"], "link-"),

@@ -38,6 +38,31 @@ pub enum MethodName {
     Linear,
 }
 
+/// A second method that a group moves by, and its share.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Blend {
+    /// Never `auto`.
+    pub method: MethodName,
+    /// 0–1: how much of the motion is the second method's.
+    pub amount: f64,
+}
+
+/// How segments meet at a keyframe where the agents do not stop.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "lowercase")]
+pub enum Join {
+    /// Each on its own, easing at both ends.
+    #[default]
+    Separate,
+    /// With one velocity: the cumulative cubic of all keyframes.
+    Smooth,
+    /// Paper A's product of all segments, as printed.
+    Product,
+}
+
 /// How the modes of two bases are paired.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
@@ -78,6 +103,8 @@ pub enum Timing {
     /// 3t² − 2t³.
     #[default]
     Smooth,
+    /// Equal speed along the path.
+    Even,
 }
 
 /// Sharing where none is given.
@@ -88,10 +115,11 @@ fn default_sharing() -> f64 {
 }
 
 impl Timing {
-    /// The parameter t at a fraction 0–1 of the segment's duration, easing at both ends where it eases.
+    /// The parameter t at a fraction 0–1 of the segment's duration, easing at both ends where it eases; `even` takes a fraction of
+    /// the path instead, which only whoever knows the path can tell.
     pub fn parameter(self, fraction: f64) -> f64 {
         match self {
-            Self::Linear => fraction,
+            Self::Linear | Self::Even => fraction,
             Self::Smooth => fraction * fraction * (3.0 - 2.0 * fraction),
         }
     }

@@ -7,7 +7,7 @@ mod code;
 mod words;
 
 pub use words::Counted;
-use words::{Listed, agents_there};
+use words::{Listed, there_are};
 
 use crate::scene::limits;
 
@@ -208,7 +208,7 @@ pub enum Error {
         place: String,
     },
     /// An index that no agent has.
-    #[error("there is no agent {agent}; {}", agents_there(*agent_count))]
+    #[error("there is no agent {agent}; {}", there_are("agents", *agent_count))]
     UnknownAgent {
         /// The index.
         agent: u32,
@@ -261,6 +261,57 @@ pub enum Error {
         /// The group that is too deep.
         place: String,
     },
+    /// Positions on the plane and in space in one scene.
+    #[error("this position has {found} numbers where others have {expected}; all positions of a scene have two, or all have three")]
+    MixedDimensions {
+        /// How many numbers it has.
+        found: usize,
+        /// How many others have.
+        expected: usize,
+        /// The position, or the positions of its keyframe.
+        place: String,
+    },
+    /// An index that no obstacle has.
+    #[error("there is no obstacle {obstacle}; {}", there_are("obstacles", *obstacle_count))]
+    UnknownObstacle {
+        /// The index.
+        obstacle: u32,
+        /// How many obstacles there are.
+        obstacle_count: usize,
+        /// The index's place.
+        place: String,
+    },
+    /// An agent and an obstacle twice in one list.
+    #[error("agent {agent} and obstacle {obstacle} are listed twice; a pair occurs once in a list")]
+    RepeatedObstacleTie {
+        /// The agent.
+        agent: u32,
+        /// The obstacle.
+        obstacle: u32,
+        /// The later of the two.
+        place: String,
+    },
+    /// Child indices that lead to no group.
+    #[error("there is no such group; the indices go from the outermost group to its children, from 0, and [] is all groups")]
+    UnknownGroup {
+        /// The indices.
+        place: String,
+    },
+    /// A group with two methods in one segment.
+    #[error("this group has a method in {other} already; each group has one, and a blend for a second")]
+    RepeatedNode {
+        /// Where it has one.
+        other: String,
+        /// Where it has the other.
+        place: String,
+    },
+    /// A polygon that is a line or a point.
+    #[error("the corners lie on a line or cross it to no area; a polygon has at least three that do not")]
+    NoArea {
+        /// Its corners.
+        place: String,
+    },
+
     /// A CSV without one of the columns.
     #[error("there is no column \"{column}\"; the first row names the columns, such as keyframe,time,agent,group,x,y")]
     MissingColumn {

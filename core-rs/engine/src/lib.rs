@@ -12,6 +12,7 @@ pub mod error;
 pub mod formation;
 pub mod measure;
 pub mod motion;
+pub mod obstacle;
 pub mod perform;
 pub mod scene;
 pub mod spectral;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may name of the others.
-const MAY_KNOW: [(&str, &[&str]); 11] = [
+const MAY_KNOW: [(&str, &[&str]); 12] = [
     ("adjacency", &["error", "formation"]),
     ("assignment", &["formation"]),
     ("choice", &[]),
@@ -14,8 +14,9 @@ const MAY_KNOW: [(&str, &[&str]); 11] = [
     ("formation", &[]),
     ("measure", &["adjacency", "formation", "motion"]),
     ("motion", &["formation"]),
+    ("obstacle", &[]),
     ("perform", &["adjacency", "choice", "error", "formation", "measure", "motion", "scene", "spectral", "transition"]),
-    ("scene", &["adjacency", "choice", "error", "formation"]),
+    ("scene", &["adjacency", "choice", "error", "formation", "obstacle"]),
     ("spectral", &["adjacency", "assignment", "choice", "formation"]),
     ("transition", &["adjacency", "choice", "formation", "spectral"]),
 ];

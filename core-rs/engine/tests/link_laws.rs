@@ -21,7 +21,10 @@ fn with_coordinates(scene: &Scene, change: impl Fn(f64) -> f64) -> Scene {
     let mut scene = scene.clone();
     for keyframe in &mut scene.tracks[0].keyframes {
         let moved = keyframe.positions.positions().iter().map(|p| DVec2::new(change(p.x), change(p.y))).collect();
-        keyframe.positions = Arc::new(Formation::new(moved));
+        keyframe.positions = Arc::new(match keyframe.positions.heights() {
+            Some(heights) => Formation::spatial(moved, heights.iter().map(|z| change(*z)).collect()),
+            None => Formation::new(moved),
+        });
     }
     scene
 }
@@ -29,15 +32,17 @@ fn with_coordinates(scene: &Scene, change: impl Fn(f64) -> f64) -> Scene {
 /// The farthest that an agent is moved, meters.
 fn farthest(a: &Scene, b: &Scene) -> f64 {
     let moved = a.tracks[0].keyframes.iter().zip(&b.tracks[0].keyframes).flat_map(|(a, b)| {
-        let pairs = a.positions.positions().iter().zip(b.positions.positions());
-        pairs.map(|(p, q)| p.distance(*q))
+        let pairs = a.positions.positions().iter().zip(b.positions.positions()).enumerate();
+        pairs.map(|(agent, (p, q))| p.distance(*q).hypot(a.positions.height(agent) - b.positions.height(agent)))
     });
     moved.fold(0.0, f64::max)
 }
 
 fn extent(scene: &Scene) -> f64 {
-    let all = scene.tracks[0].keyframes.iter().flat_map(|keyframe| keyframe.positions.positions()).copied();
-    Formation::new(all.collect()).extent()
+    let formations = scene.tracks[0].keyframes.iter().map(|keyframe| &keyframe.positions);
+    let all = formations.clone().flat_map(|formation| formation.positions()).copied().collect();
+    let heights = formations.flat_map(|formation| (0..formation.agent_count()).map(|agent| formation.height(agent))).collect();
+    Formation::spatial(all, heights).extent()
 }
 
 proptest! {
@@ -53,8 +58,8 @@ proptest! {
     fn an_exact_link_moves_no_agent(scene in arbitrary_scene()) {
         let link = encode(&scene, Precision::Exact);
         let opened = decode(&link.fragment).map_err(|error| TestCaseError::fail(error.to_string()))?;
-        // Each of two coordinates within 1e-6 m, and once more where a coarser step represents what the first one made.
-        prop_assert!(farthest(&scene, &opened) <= 2.0 * 2.0_f64.sqrt() * 1e-6);
+        // Each of three coordinates within 1e-6 m, and once more where a coarser step represents what the first one made.
+        prop_assert!(farthest(&scene, &opened) <= 2.0 * 3.0_f64.sqrt() * 1e-6);
         prop_assert_eq!(with_coordinates(&opened, |_| 0.0), with_coordinates(&scene, |_| 0.0));
         prop_assert_eq!(encode(&opened, Precision::Exact).fragment, link.fragment);
     }
@@ -63,9 +68,10 @@ proptest! {
     fn a_short_link_says_how_far_it_moves_agents(scene in arbitrary_scene()) {
         let link = encode(&scene, Precision::Short);
         let opened = decode(&link.fragment).map_err(|error| TestCaseError::fail(error.to_string()))?;
-        // Half a step each way, a step being at most 1/64 above 1/4095 of the longer side and that a little more for the ends; 1e-6 m as above.
-        prop_assert!(link.rounding <= extent(&scene) / 4_095.0 * 1.04 / 2.0_f64.sqrt() + 3e-6);
-        prop_assert!((farthest(&scene, &opened) - link.rounding).abs() <= 3e-6);
+        // Half a step each of three ways, a step being at most 1/64 above 1/4095 of the longest side and that a little more for the
+        // ends; 1e-6 m as above.
+        prop_assert!(link.rounding <= extent(&scene) / 4_095.0 * 1.04 * 3.0_f64.sqrt() / 2.0 + 4e-6);
+        prop_assert!((farthest(&scene, &opened) - link.rounding).abs() <= 4e-6);
         for precision in [Precision::Exact, Precision::Short] {
             let again = encode(&opened, precision);
             prop_assert_eq!(&again.fragment, &link.fragment);

@@ -3,7 +3,7 @@
 mod support;
 
 use eigenform::error::Error;
-use eigenform::scene::{self, Group, Scene, limits, read_csv, write_csv};
+use eigenform::scene::{self, Group, Keyframe, Scene, limits, read_csv, write_csv};
 use glam::DVec2;
 use proptest::prelude::*;
 use support::arbitrary_scene;
@@ -129,8 +129,11 @@ fn every_refusal_names_its_row() {
     check(&row(&format!("2,3,{},,0,0", "n".repeat(65))), "too-long", "row 6, column agent", "65 characters; at most 64");
     let color = "red is no color; it must be #rrggbb or empty";
     check("keyframe,time,agent,x,y,color\n0,0,0,0,0,red\n", "invalid-color", "row 2, column color", color);
-    let height = "height 2 is not supported yet; give 0 or leave the field out";
-    check("keyframe,time,agent,x,y,z\n0,0,0,0,0,2\n", "unsupported", "row 2, column z", height);
+    let heights = "100001 is out of range; it must be from -100000 to 100000";
+    check("keyframe,time,agent,x,y,z\n0,0,0,0,0,100001\n", "out-of-range", "row 2, column z", heights);
+    let mixed = "this position has 2 numbers where others have 3; all positions of a scene have two, or all have three";
+    check("keyframe,time,agent,x,y,z\n0,0,a,0,0,2\n0,0,b,0,0,\n", "mixed-dimensions", "row 3, column z", mixed);
+    check("keyframe,time,agent,x,y,z\n0,0,a,0,0,\n0,0,b,0,0,2\n", "mixed-dimensions", "row 2, column z", mixed);
     let deep = "groups are nested more than 8 deep";
     check("keyframe,time,agent,x,y,group\n0,0,0,0,0,a/b/c/d/e/f/g/h/i\n", "groups-too-deep", "group a/b/c/d/e/f/g/h/i", deep);
 }
@@ -176,7 +179,10 @@ proptest! {
         for (after, before) in after.keyframes.iter().zip(&before.keyframes) {
             prop_assert_eq!(after.time.to_bits(), before.time.to_bits());
             // Debug text tells −0 from 0, which equality does not.
-            prop_assert_eq!(format!("{:?}", after.positions), format!("{:?}", before.positions));
+            prop_assert_eq!(format!("{:?}", after.positions.positions()), format!("{:?}", before.positions.positions()));
+            let heights = |keyframe: &Keyframe| (0..agent_count).map(|agent| keyframe.positions.height(agent)).collect::<Vec<_>>();
+            // A height of −0 is 0 where all are, and the scene is plane.
+            prop_assert_eq!(heights(after), heights(before));
         }
         for (after, before) in after.agents.iter().zip(&**before.agents) {
             prop_assert_eq!((after.name.trim(), &after.color), (before.name.trim(), &before.color));

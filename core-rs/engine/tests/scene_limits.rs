@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 use std::sync::Arc;
 
 use eigenform::adjacency::{AdjacencySpec, COMPLETE_GROUP_LIMIT};
-use eigenform::choice::{Alignment, Choice, MethodName, Order};
+use eigenform::choice::{Alignment, Blend, Choice, MethodName, Order};
 use eigenform::error::Error;
 use eigenform::formation::Formation;
-use eigenform::scene::{
-    Agent, Group, Keyframe, Scene, Segment, Track, TransitionSpec, document, limits, open_bytes, read_json, validate, write_json,
-};
+use eigenform::obstacle::ObstacleShape;
+use eigenform::scene::{Agent, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Track, TransitionSpec};
+use eigenform::scene::{document, limits, open_bytes, read_json, validate, write_json};
 use glam::DVec2;
 
 /// Agents in a row at keyframes a second apart.
@@ -38,8 +38,11 @@ fn ties(change: impl FnOnce(&mut AdjacencySpec)) -> Scene {
     changed(|scene| change(Arc::make_mut(&mut scene.adjacency)))
 }
 
-/// The scene is valid, as a value and as a file.
+/// The scene is valid, as a value and as a file; at most it asks for what is not built yet, which is said last.
 fn admits(scene: &Scene) {
+    if validate(scene).is_err_and(|error| error.code() == "unsupported") {
+        return;
+    }
     assert_eq!(validate(scene), Ok(()));
     assert_eq!(read_json(&write_json(scene)).as_ref(), Ok(scene));
 }
@@ -107,6 +110,11 @@ fn numbers_have_ranges() {
             keyframe(|keyframe| keyframe.positions = Arc::new(Formation::new(positions)))
         });
     }
+    check_range(&limits::COORDINATE, "keyframes[0].positions[2]", |value| {
+        let spatial = Arc::new(Formation::spatial(vec![DVec2::ZERO; 3], vec![0.0, 1.0, value]));
+        changed(|scene| scene.tracks[0].keyframes.iter_mut().for_each(|keyframe| keyframe.positions = Arc::clone(&spatial)))
+    });
+    check_range(&limits::TENSION, "tension", |value| changed(|scene| scene.tension = value));
     check_range(&limits::FACTOR, "adjacency.ties[0]", |factor| ties(|spec| spec.ties = vec![(0, 1, factor)]));
     check_range(&limits::FACTOR, "groups[0].tieWeight", |factor| {
         changed(|scene| scene.groups = Arc::new(vec![Group { members: vec![0, 1], tie_weight: Some(factor), ..Group::default() }]))
@@ -115,6 +123,11 @@ fn numbers_have_ranges() {
     check_range(&limits::SHARING, "segments[0].sharing", |sharing| {
         with_transition(TransitionSpec { sharing, ..TransitionSpec::default() })
     });
+    check_range(&limits::BLEND, "segments[0].nodes[0].blend.amount", |amount| {
+        let blend = Some(Blend { method: MethodName::Polar, amount });
+        let nodes = vec![NodeSpec { group: Vec::new(), method: MethodName::Linear, blend }];
+        with_transition(TransitionSpec { nodes, ..TransitionSpec::default() })
+    });
     check_range(&limits::SHARING, "segments[0].chosen.sharing", |sharing| {
         let choice = Choice { method: MethodName::Polar, order: Order::Greedy, alignment: Alignment::Pca, sharing };
         with_transition(TransitionSpec { chosen: Some(choice), ..TransitionSpec::default() })
@@ -122,6 +135,57 @@ fn numbers_have_ranges() {
     for (beats, is_right) in [(0, false), (1, true), (64, true), (65, false)] {
         assert_eq!(validate(&changed(|scene| scene.tempo.beats_per_bar = beats)).is_ok(), is_right);
     }
+}
+
+fn obstacle(shape: ObstacleShape) -> Scene {
+    changed(|scene| scene.obstacles = Arc::new(vec![Obstacle { name: String::new(), shape }]))
+}
+
+/// Corners around the origin.
+fn polygon(corner_count: usize) -> ObstacleShape {
+    let turn = std::f64::consts::TAU / corner_count as f64;
+    ObstacleShape::Polygon { points: (0..corner_count).map(|corner| DVec2::from_angle(turn * corner as f64)).collect() }
+}
+
+#[test]
+fn obstacles_have_limits() {
+    check_count(201, "too-many-obstacles", "obstacles", |count| {
+        changed(|scene| scene.obstacles = Arc::new(vec![Obstacle { name: String::new(), shape: polygon(3) }; count]))
+    });
+    check_count(201, "too-many-corners", "obstacles[0].points", |count| obstacle(polygon(count)));
+    check_count(65, "too-long", "obstacles[0].name", |length| {
+        changed(|scene| scene.obstacles = Arc::new(vec![Obstacle { name: "é".repeat(length), shape: polygon(3) }]))
+    });
+    check_range(&limits::OBSTACLE_RADIUS, "obstacles[0].radius", |radius| obstacle(ObstacleShape::Circle { center: DVec2::ONE, radius }));
+    for coordinate in 0..2 {
+        check_range(&limits::COORDINATE, "obstacles[0].center", |value| {
+            let mut center = DVec2::ZERO;
+            center[coordinate] = value;
+            obstacle(ObstacleShape::Circle { center, radius: 1.0 })
+        });
+        check_range(&limits::COORDINATE, "obstacles[0].points[2]", |value| {
+            let mut points = vec![DVec2::ZERO, DVec2::ONE, DVec2::splat(-7.0)];
+            points[2][coordinate] = value;
+            obstacle(ObstacleShape::Polygon { points })
+        });
+    }
+    check_range(&limits::FACTOR, "adjacency.obstacleTies[0]", |factor| {
+        let mut scene = obstacle(polygon(3));
+        Arc::make_mut(&mut scene.adjacency).obstacle_ties = vec![(2, 0, factor)];
+        scene
+    });
+}
+
+#[test]
+fn ties_to_obstacles_count_with_the_others() {
+    let with = |count: usize| {
+        let mut scene = scene(400, 1);
+        scene.obstacles = Arc::new(vec![Obstacle { name: String::new(), shape: polygon(3) }; 2]);
+        let obstacle_ties = (0..400).flat_map(|agent| [(agent, 0, 1.0), (agent, 1, 1.0)]).collect();
+        scene.adjacency = Arc::new(AdjacencySpec { ties: pairs(count - 800), obstacle_ties, ..AdjacencySpec::default() });
+        scene
+    };
+    check_count(50_001, "too-many-ties", "keyframes[0]", with);
 }
 
 #[test]

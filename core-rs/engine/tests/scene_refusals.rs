@@ -113,6 +113,25 @@ fn values_of_another_type_or_word_are_refused() {
     check(&with_second(r#""corner": 0,"#), "wrong-type", "keyframes[1].corner");
     check(&with("").replace("[1, 0]", "[1]"), "wrong-type", "keyframes[0].positions[1]");
     check(&with("").replace("[1, 0]", "[1, 0, 0, 0]"), "wrong-type", "keyframes[0].positions[1]");
+    check(&with("").replace("[1, 0]", "[1, 0, \"high\"]"), "wrong-type", "keyframes[0].positions[1]");
+    check(&with("").replace("[1, 0]", "[1, 0, 1e400]"), "not-finite", "keyframes[0].positions[1]");
+    check(&with_field("obstacles", "{}"), "wrong-type", "obstacles");
+    check(&with_field("obstacles", r#"[{ "center": [0, 0], "radius": 1 }]"#), "missing-field", "obstacles[0]");
+    check(&with_field("obstacles", r#"[{ "kind": "square" }]"#), "unknown-value", "obstacles[0].kind");
+    check(&with_field("obstacles", r#"[{ "kind": "circle", "center": [0, 0] }]"#), "missing-field", "obstacles[0]");
+    check(&with_field("obstacles", r#"[{ "kind": "circle", "center": [0], "radius": 1 }]"#), "wrong-type", "obstacles[0].center");
+    check(&with_field("obstacles", r#"[{ "kind": "circle", "points": [] }]"#), "unknown-field", "obstacles[0]");
+    check(&with_field("obstacles", r#"[{ "kind": "polygon", "points": [[0, 0, 0]] }]"#), "wrong-type", "obstacles[0].points[0]");
+    check(&with_field("obstacles", r#"[{ "kind": "polygon" }]"#), "missing-field", "obstacles[0]");
+    check(&with_field("adjacency", r#"{ "obstacleTies": [[0, 0]] }"#), "wrong-type", "adjacency.obstacleTies[0]");
+    check(&with_segment(r#""nodes": [{ "group": [] }]"#), "missing-field", "segments[0].nodes[0]");
+    check(&with_segment(r#""nodes": [{ "group": [-1], "method": "linear" }]"#), "out-of-range", "segments[0].nodes[0].group[0]");
+    check(&with_segment(r#""nodes": [{ "method": "auto" }]"#), "unknown-value", "segments[0].nodes[0].method");
+    check(&with_segment(r#""nodes": [{ "method": "linear", "mix": 1 }]"#), "unknown-field", "segments[0].nodes[0]");
+    let blended = |blend: &str| with_segment(&format!(r#""nodes": [{{ "method": "linear", "blend": {blend} }}]"#));
+    check(&blended(r#"{ "method": "polar" }"#), "missing-field", "segments[0].nodes[0].blend");
+    check(&blended(r#"{ "amount": 0.5 }"#), "missing-field", "segments[0].nodes[0].blend");
+    check(&blended(r#"{ "method": "auto", "amount": 0.5 }"#), "unknown-value", "segments[0].nodes[0].blend.method");
     check(&with("").replace("[1, 0]", "[1, null]"), "wrong-type", "keyframes[0].positions[1]");
     check(&with("").replace("[1, 0]", "[1, 1e400]"), "not-finite", "keyframes[0].positions[1]");
     check(&with_segment(r#""kind": "jump""#), "unknown-value", "segments[0].kind");
@@ -132,23 +151,26 @@ fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
     let cases = [
         (with_field("join", "\"@\""), "join", "separate", "smooth"),
         (with_field("join", "\"@\""), "join", "separate", "product"),
-        (with_field("tension", "@"), "tension", "0.50", "0.25"),
         (with_field("obstacles", "[@]"), "obstacles", "", r#"{ "kind": "circle", "center": [0, 0], "radius": 1 }"#),
         (with_field("recordings", "[@]"), "recordings", " ", "{}"),
         (with_field("agents", r#"[{}, { "maxSpeed": @ }, {}]"#), "agents[1].maxSpeed", "null", "2.5"),
-        (with_field("adjacency", r#"{ "obstacleTies": [@] }"#), "adjacency.obstacleTies", "", "[0, 0, 1]"),
         (with_second(r#""time": 2, "corner": @,"#), "keyframes[1].corner", "false", "true"),
         (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),
         (with_segment(r#""method": "@""#), "segments[0].method", "auto", "crowd"),
         (with_segment(r#""timing": "@""#), "segments[0].timing", "smooth", "even"),
         (with_segment(r#""avoidance": @"#), "segments[0].avoidance", "false", "true"),
         (with_segment(r#""hierarchy": @"#), "segments[0].hierarchy", "false", "true"),
-        (with_segment(r#""nodes": [@]"#), "segments[0].nodes", "", r#"{ "group": [0], "method": "linear" }"#),
+        (with_segment(r#""nodes": [@]"#), "segments[0].nodes", "", r#"{ "group": [], "method": "linear" }"#),
         (with_segment(r#""path": @"#), "segments[0].path", "null", "[[0, 0]]"),
         (with_segment(r#""assignment": @"#), "segments[0].assignment", "null", r#"{ "cost": "squared" }"#),
         (with_segment(r#""crowd": @"#), "segments[0].crowd", "null", "{}"),
         (with_segment(r#""chosen": { "method": "@" }"#), "segments[0].chosen.method", "polar", "crowd"),
-        (with("").replace("[1, 0]", "[1, 0@]"), "keyframes[0].positions[1]", "", ", 0"),
+        (
+            r#"{ "format": "eigenform", "version": 1, "keyframes": [{ "positions": [[0, 0@]] }] }"#.to_owned(),
+            "keyframes[0].positions",
+            "",
+            ", 1",
+        ),
     ];
     for (text, place, default, other) in cases {
         let right = text.replace('@', default);
@@ -176,6 +198,26 @@ fn parts_that_do_not_fit_together_are_refused() {
     check(&with_field("adjacency", r#"{ "ties": [[0, 1, 1], [1, 2, 1], [1, 0, 2]] }"#), "repeated-pair", "adjacency.ties[2]");
     check(&with_field("adjacency", r#"{ "cuts": [[0, 1], [0, 1]] }"#), "repeated-pair", "adjacency.cuts[1]");
     check(&with_second(r#""time": 2, "adjacency": { "cuts": [[5, 1]] },"#), "unknown-agent", "keyframes[1].adjacency.cuts[0]");
+    let two = r#"[{ "kind": "circle", "center": [5, 5], "radius": 1 }, { "kind": "circle", "center": [9, 5], "radius": 1 }]"#;
+    let tied = |ties: &str| with(&format!(r#""obstacles": {two}, "adjacency": {{ "obstacleTies": {ties} }},"#));
+    check(&tied("[[3, 0, 1]]"), "unknown-agent", "adjacency.obstacleTies[0]");
+    check(&tied("[[0, 0, 1], [0, 2, 1]]"), "unknown-obstacle", "adjacency.obstacleTies[1]");
+    check(&tied("[[0, 1, 1], [1, 0, 1], [0, 1, 2]]"), "repeated-pair", "adjacency.obstacleTies[2]");
+    let line = r#"[{ "kind": "polygon", "points": [[0, 0], [1, 1], [3, 3]] }]"#;
+    check(&with_field("obstacles", line), "no-area", "obstacles[0].points");
+    check(&with_field("obstacles", &line.replace(", [3, 3]", "")), "no-area", "obstacles[0].points");
+    check(&with_field("obstacles", r#"[{ "kind": "polygon", "points": [] }]"#), "no-area", "obstacles[0].points");
+    let grouped = |nodes: &str| with_segment(&format!(r#""nodes": {nodes} }}], "groups": [{{ "children": [{{}}]"#));
+    check(&grouped(r#"[{ "group": [1], "method": "linear" }]"#), "unknown-group", "segments[0].nodes[0].group");
+    check(&grouped(r#"[{ "group": [0, 1], "method": "linear" }]"#), "unknown-group", "segments[0].nodes[0].group");
+    check(&grouped(r#"[{ "group": [0, 0, 0], "method": "linear" }]"#), "unknown-group", "segments[0].nodes[0].group");
+    let twice = r#"[{ "group": [0, 0], "method": "linear" }, { "group": [], "method": "polar" }, { "group": [0, 0], "method": "polar" }]"#;
+    check(&grouped(twice), "repeated-node", "segments[0].nodes[2]");
+    check(&with("").replace("[1, 0]", "[1, 0, 0]"), "mixed-dimensions", "keyframes[0].positions[1]");
+    check(&with_second(r#""time": 2,"#).replacen("[0, 0]", "[0, 0, 5]", 1), "mixed-dimensions", "keyframes[0].positions[1]");
+    let second = with_second(r#""time": 2,"#);
+    let (first, last) = second.rsplit_once("[0, 0], [1, 0], [0, 1]").expect("two keyframes");
+    check(&format!("{first}[0, 0, 1], [1, 0, 1], [0, 1, 1]{last}"), "mixed-dimensions", "keyframes[1].positions[0]");
     check(&with_field("agents", r#"[{ "color": "red" }, {}, {}]"#), "invalid-color", "agents[0].color");
     check(&with_field("groups", r##"[{ "color": "#12345g" }]"##), "invalid-color", "groups[0].color");
 }

@@ -10,6 +10,13 @@ use glam::DVec2;
 use proptest::prelude::*;
 use support::arbitrary_scene;
 
+/// A formation as the page has it.
+#[derive(serde::Deserialize)]
+struct Flat {
+    xy: Vec<f64>,
+    heights: Option<Vec<f64>>,
+}
+
 proptest! {
     #[test]
     fn every_generated_scene_is_valid(scene in arbitrary_scene()) {
@@ -31,8 +38,9 @@ proptest! {
         let mut value: serde_json::Value = serde_json::from_str(&document::write(&scene)).unwrap();
         for (keyframe, expected) in value["tracks"][0]["keyframes"].as_array_mut().unwrap().iter_mut().zip(&scene.tracks[0].keyframes) {
             let positions = keyframe.as_object_mut().unwrap().remove("positions").unwrap();
-            let numbers: Vec<f64> = serde_json::from_value(positions).unwrap();
-            prop_assert_eq!(numbers, expected.positions.positions().iter().flat_map(DVec2::to_array).collect::<Vec<_>>());
+            let Flat { xy, heights } = serde_json::from_value(positions).unwrap();
+            prop_assert_eq!(xy, expected.positions.positions().iter().flat_map(DVec2::to_array).collect::<Vec<_>>());
+            prop_assert_eq!(heights.as_deref(), expected.positions.heights());
         }
         let formations: Vec<_> = scene.tracks[0].keyframes.iter().map(|keyframe| Arc::clone(&keyframe.positions)).collect();
         let read = document::read(&value.to_string(), formations.clone());
@@ -47,7 +55,7 @@ proptest! {
 fn a_page_document_has_a_formation_for_every_keyframe_and_no_positions() {
     let scene = Scene::default();
     let whole = document::write(&scene);
-    let rest = whole.replace("\"positions\":[],", "");
+    let rest = whole.replace("\"positions\":{\"xy\":[],\"heights\":null},", "");
     let formation = Arc::clone(&scene.main_track().keyframes[0].positions);
     assert_eq!(document::read(&rest, vec![Arc::clone(&formation)]), Ok(scene));
     let cases = [

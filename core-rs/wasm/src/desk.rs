@@ -42,8 +42,12 @@ pub fn encode<T: serde::Serialize>(value: &T) -> String {
     serde_json::to_string(value).expect("plain data is JSON")
 }
 
-pub fn formation(xy: &[f64]) -> Formation {
-    Formation::new(xy.chunks_exact(2).map(|p| DVec2::new(p[0], p[1])).collect())
+pub fn formation(xy: &[f64], heights: Option<Vec<f64>>) -> Formation {
+    let positions = xy.chunks_exact(2).map(|p| DVec2::new(p[0], p[1])).collect();
+    match heights {
+        Some(heights) => Formation::spatial(positions, heights),
+        None => Formation::new(positions),
+    }
 }
 
 pub fn scene(rest: &str, formations: Vec<Arc<Formation>>) -> Result<Scene, Refusal> {

@@ -42,9 +42,9 @@ impl Engine {
         desk::open(text)
     }
 
-    /// Formation number `id`: x, y an agent, meters.
-    pub fn put_formation(&mut self, id: u32, xy: &[f64]) {
-        self.formations.insert(id, Arc::new(desk::formation(xy)));
+    /// Formation number `id`: x, y an agent and, in space, their heights; meters.
+    pub fn put_formation(&mut self, id: u32, xy: &[f64], heights: Option<Vec<f64>>) {
+        self.formations.insert(id, Arc::new(desk::formation(xy, heights)));
     }
 
     /// Forgets a formation.
@@ -95,6 +95,11 @@ impl Engine {
     /// Positions of the segment just done: x, y an agent, sample by sample.
     pub fn segment_positions(&self) -> Vec<f32> {
         self.done().motion.positions().iter().flat_map(|p| [p.x as f32, p.y as f32]).collect()
+    }
+
+    /// Heights of the segment just done, one an agent, sample by sample; nothing on the plane.
+    pub fn segment_heights(&self) -> Option<Vec<f32>> {
+        self.done().motion.heights().map(|heights| heights.iter().map(|z| *z as f32).collect())
     }
 
     /// Curves of the segment just done, one value a sample: clearance, distortion, turning, top speed, path length.
@@ -157,7 +162,7 @@ impl Engine {
 
     /// The slot of each agent, least total squared distance; x, y an agent.
     pub fn assign(&self, source: &[f64], target: &[f64]) -> Vec<u32> {
-        desk::assign(&desk::formation(source), &desk::formation(target))
+        desk::assign(&desk::formation(source, None), &desk::formation(target, None))
     }
 }
 

@@ -1,6 +1,6 @@
 //! Writes the page's types from the engine's.
 
-use eigenform::{adjacency, choice, scene};
+use eigenform::{adjacency, choice, obstacle, scene};
 use ts_rs::TS;
 
 /// The TypeScript of every type that crosses the seam, in one file.
@@ -20,8 +20,13 @@ pub fn typescript() -> String {
         scene::Keyframe::decl(),
         scene::Segment::decl(),
         scene::TransitionSpec::decl(),
+        scene::NodeSpec::decl(),
+        scene::Obstacle::decl(),
+        obstacle::ObstacleShape::decl(),
         choice::Choice::decl(),
+        choice::Blend::decl(),
         choice::MethodName::decl(),
+        choice::Join::decl(),
         choice::Order::decl(),
         choice::Alignment::decl(),
         choice::Timing::decl(),

@@ -6,7 +6,13 @@ export const NEW_MINIMUM_DISTANCE = 0.5;
 
 export const DEFAULT_STAGE: Stage = { width: 100, depth: 60, height: 0, backdrop: "grid", units: "m" };
 export const DEFAULT_AGENT: Agent = { name: "", color: "", radius: 0.25 };
-export const DEFAULT_ADJACENCY: AdjacencySpec = { base: "delaunay", weights: "inverse", ties: [], cuts: [] };
+export const DEFAULT_ADJACENCY: AdjacencySpec = {
+  base: "delaunay",
+  weights: "inverse",
+  ties: [],
+  cuts: [],
+  obstacleTies: [],
+};
 export const DEFAULT_SEGMENT: Segment = {
   kind: "transition",
   method: "auto",
@@ -16,10 +22,13 @@ export const DEFAULT_SEGMENT: Segment = {
   sharing: 0.5,
   keepSize: false,
   timing: "smooth",
+  avoidance: false,
+  hierarchy: false,
+  nodes: [],
 };
 
 export function keyframeAt(time: number, positions: Formation): Keyframe {
-  return { name: "", time, hold: 0, positions, adjacency: null };
+  return { name: "", time, hold: 0, corner: false, positions, adjacency: null };
 }
 
 /** A new scene as the page makes it: one keyframe, nobody on it. */
@@ -31,8 +40,11 @@ export function emptyScene(): Scene {
     tempo: { beatsPerMinute: 120, beatsPerBar: 4, start: 0 },
     frameRate: 30,
     minimumDistance: NEW_MINIMUM_DISTANCE,
+    join: "separate",
+    tension: 0.5,
     groups: [],
     adjacency: DEFAULT_ADJACENCY,
     tracks: [{ agents: [], keyframes: [keyframeAt(0, Formation.from([]))], segments: [] }],
+    obstacles: [],
   };
 }

@@ -28,6 +28,14 @@ frameRate: number,
  */
 minimumDistance: number, 
 /**
+ * How segments meet.
+ */
+join: Join, 
+/**
+ * Tension τ of smooth joins, 0–1; 0.5 is that of Catmull and Rom.
+ */
+tension: number, 
+/**
  * The tree of groups; siblings share no agent.
  */
 groups: Array<Group>, 
@@ -38,7 +46,11 @@ adjacency: AdjacencySpec,
 /**
  * Version 1 has exactly one, of all agents.
  */
-tracks: Array<Track>, };
+tracks: Array<Track>, 
+/**
+ * What agents go around.
+ */
+obstacles: Array<Obstacle>, };
 
 export type Track = { 
 /**
@@ -146,7 +158,11 @@ ties: Array<[number, number, number]>,
 /**
  * Pairs that are not tied, whatever came before.
  */
-cuts: Array<[number, number]>, };
+cuts: Array<[number, number]>, 
+/**
+ * Agents that keep clear of an obstacle: agent, obstacle and a factor.
+ */
+obstacleTies: Array<[number, number, number]>, };
 
 export type Base = "delaunay" | "none";
 
@@ -165,6 +181,10 @@ time: number,
  * How long the agents stand from `time` on, seconds.
  */
 hold: number, 
+/**
+ * Stop here although segments join smoothly.
+ */
+corner: boolean, 
 /**
  * `positions[i]` is always agent i.
  */
@@ -204,7 +224,57 @@ keepSize: boolean,
 /**
  * How the parameter runs with time.
  */
-timing: Timing, };
+timing: Timing, 
+/**
+ * Keep the minimum distance on the way.
+ */
+avoidance: boolean, 
+/**
+ * Let the groups move as wholes.
+ */
+hierarchy: boolean, 
+/**
+ * Groups that move by a method of their own, each once.
+ */
+nodes: Array<NodeSpec>, };
+
+export type NodeSpec = { 
+/**
+ * The group, as child indices from the root; empty: the root.
+ */
+group: Array<number>, 
+/**
+ * Never `auto`.
+ */
+method: MethodName, 
+/**
+ * A second method beside it.
+ */
+blend: Blend | null, };
+
+export type Obstacle = { 
+/**
+ * At most 64 characters.
+ */
+name: string, 
+/**
+ * Its outline.
+ */
+shape: ObstacleShape, };
+
+export type ObstacleShape = { "kind": "circle", 
+/**
+ * Its center.
+ */
+center: [number, number], 
+/**
+ * Greater than 0.
+ */
+radius: number, } | { "kind": "polygon", 
+/**
+ * Its corners in either direction, the first not repeated.
+ */
+points: Array<[number, number]>, };
 
 export type Choice = { 
 /**
@@ -224,10 +294,22 @@ alignment: Alignment,
  */
 sharing: number, };
 
+export type Blend = { 
+/**
+ * Never `auto`.
+ */
+method: MethodName, 
+/**
+ * 0–1: how much of the motion is the second method's.
+ */
+amount: number, };
+
 export type MethodName = "auto" | "spectral" | "shared" | "polar" | "linear";
+
+export type Join = "separate" | "smooth" | "product";
 
 export type Order = "eigenvalue" | "greedy" | "maxmin" | "hungarian";
 
 export type Alignment = "none" | "pca" | "procrustes";
 
-export type Timing = "linear" | "smooth";
+export type Timing = "linear" | "smooth" | "even";

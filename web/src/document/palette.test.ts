@@ -18,9 +18,18 @@ function scene(agents: Agent[], groups: Group[]): Scene {
     tempo: { beatsPerMinute: 120, beatsPerBar: 4, start: 0 },
     frameRate: 30,
     minimumDistance: 0,
+    join: "separate",
+    tension: 0.5,
     groups,
-    adjacency: { base: "delaunay", weights: "inverse", ties: [], cuts: [] },
-    tracks: [{ agents, keyframes: [{ name: "", time: 0, hold: 0, positions, adjacency: null }], segments: [] }],
+    adjacency: { base: "delaunay", weights: "inverse", ties: [], cuts: [], obstacleTies: [] },
+    tracks: [
+      {
+        agents,
+        keyframes: [{ name: "", time: 0, hold: 0, corner: false, positions, adjacency: null }],
+        segments: [],
+      },
+    ],
+    obstacles: [],
   };
 }
 

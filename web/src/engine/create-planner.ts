@@ -259,11 +259,11 @@ function usable(result: Planning | undefined, scene: Scene): SegmentPlan | null 
   return plan && plan.motion.agentCount === mainTrack(scene).agents.length ? plan : null;
 }
 
-function planFrom({ times, xy, curves, report }: SegmentData): SegmentPlan {
+function planFrom({ times, xy, heights, curves, report }: SegmentData): SegmentPlan {
   const sampleCount = times.length;
   const curve = (row: number): Float32Array => curves.subarray(row * sampleCount, (row + 1) * sampleCount);
   return {
-    motion: new SegmentMotion(times, xy, sampleCount === 0 ? 0 : xy.length / 2 / sampleCount),
+    motion: new SegmentMotion(times, xy, sampleCount === 0 ? 0 : xy.length / 2 / sampleCount, heights),
     report,
     curves: {
       clearance: curve(0),

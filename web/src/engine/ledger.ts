@@ -32,7 +32,7 @@ function textOf(part: object): string {
 
 /** The scene as JSON without its positions; large unchanged parts cost a look-up. */
 export function restOf(scene: Scene): string {
-  const { groups, adjacency, tracks, ...scalars } = scene;
+  const { groups, adjacency, tracks, obstacles, ...scalars } = scene;
   const track = mainTrack(scene);
   const keyframes = track.keyframes.map(({ positions: _, adjacency: own, ...keyframe }) => {
     const text = JSON.stringify(keyframe);
@@ -40,7 +40,7 @@ export function restOf(scene: Scene): string {
   });
   const head = JSON.stringify(scalars).slice(0, -1);
   const segments = track.segments.map(textOf);
-  return `${head},"groups":${textOf(groups)},"adjacency":${textOf(adjacency)},"tracks":[{"agents":${textOf(track.agents)},"keyframes":[${keyframes}],"segments":[${segments}]}]}`;
+  return `${head},"groups":${textOf(groups)},"adjacency":${textOf(adjacency)},"obstacles":${textOf(obstacles)},"tracks":[{"agents":${textOf(track.agents)},"keyframes":[${keyframes}],"segments":[${segments}]}]}`;
 }
 
 /** What one worker was told, so that nothing is sent twice. */
@@ -52,11 +52,11 @@ export class Ledger {
   message(scene: Scene): SceneMessage {
     const rest = restOf(scene);
     const formations: number[] = [];
-    const added: [number, Float64Array][] = [];
+    const added: [number, Float64Array, Float64Array | null][] = [];
     for (const { positions } of mainTrack(scene).keyframes) {
       const number = numberOf(positions);
       formations.push(number);
-      if (!this.#held.delete(number)) added.push([number, positions.xy]);
+      if (!this.#held.delete(number)) added.push([number, positions.xy, positions.heights]);
       this.#held.add(number);
     }
     const message = { rest: rest === this.#rest ? null : rest, formations, added, dropped: this.#forget(formations) };
@@ -76,8 +76,13 @@ export class Ledger {
   }
 }
 
+interface FlatPositions {
+  readonly xy: number[];
+  readonly heights: number[] | null;
+}
+
 interface SceneText {
-  tracks: { keyframes: { positions: number[] | Formation }[] }[];
+  tracks: { keyframes: { positions: FlatPositions | Formation }[] }[];
 }
 
 /** A scene from the engine's own text: trusted, since it came through the door. */
@@ -85,7 +90,8 @@ export function sceneFrom(text: string): Scene {
   const scene = JSON.parse(text) as SceneText;
   for (const track of scene.tracks) {
     for (const keyframe of track.keyframes) {
-      keyframe.positions = new Formation(Float64Array.from(keyframe.positions as number[]));
+      const { xy, heights } = keyframe.positions;
+      keyframe.positions = new Formation(Float64Array.from(xy), heights && Float64Array.from(heights));
     }
   }
   return scene as unknown as Scene;

@@ -9,8 +9,8 @@ export interface SceneMessage {
   readonly rest: string | null;
   /** Number of each keyframe's formation. */
   readonly formations: readonly number[];
-  /** Formations this worker has not seen: number and x, y an agent. */
-  readonly added: readonly (readonly [id: number, xy: Float64Array])[];
+  /** Formations this worker has not seen: number, x, y an agent and, in space, their heights. */
+  readonly added: readonly (readonly [id: number, xy: Float64Array, heights: Float64Array | null])[];
   /** Formations it may forget. */
   readonly dropped: readonly number[];
 }
@@ -50,7 +50,7 @@ export interface Calls {
 }
 
 export interface OpenedMessage {
-  /** JSON of the scene in the page's shape, positions as x0, y0, x1, y1, … */
+  /** JSON of the scene in the page's shape, positions as `{xy, heights}`: x0, y0, x1, y1, … and z0, z1, … or null. */
   readonly scene: string;
   readonly source: "scene" | "csv" | "link";
   readonly notes: readonly string[];
@@ -97,6 +97,8 @@ export interface SegmentData {
   readonly times: Float64Array;
   /** x, y of every agent, sample by sample. */
   readonly xy: Float32Array;
+  /** z of every agent, sample by sample; null in a plane scene. */
+  readonly heights: Float32Array | null;
   /** Five curves of one value a sample, in the order of `SegmentCurves`. */
   readonly curves: Float32Array;
   readonly report: SegmentReport;

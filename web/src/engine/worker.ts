@@ -21,7 +21,7 @@ function problemOf(error: unknown): EngineProblem {
 
 function take(message: SceneMessage, to: Engine): void {
   for (const id of message.dropped) to.drop_formation(id);
-  for (const [id, xy] of message.added) to.put_formation(id, xy);
+  for (const [id, xy, heights] of message.added) to.put_formation(id, xy, heights);
   to.set_scene(message.rest ?? undefined, Uint32Array.from(message.formations));
 }
 
@@ -137,10 +137,12 @@ function sendTies(id: number, keyframe: number, to: Engine): void {
 function sendSegment(id: number, segment: number, to: Engine): void {
   const times = to.segment_times();
   const xy = to.segment_positions();
+  const heights = to.segment_heights() ?? null;
   const curves = to.segment_curves();
   const report = JSON.parse(to.segment_report()) as SegmentReport;
-  const data = { times, xy, curves, report };
-  post({ kind: "segment", plan: id, segment, data }, [times.buffer, xy.buffer, curves.buffer]);
+  const data = { times, xy, heights, curves, report };
+  const transfer = [times.buffer, xy.buffer, curves.buffer, ...(heights ? [heights.buffer] : [])];
+  post({ kind: "segment", plan: id, segment, data }, transfer);
 }
 
 function crash(error: unknown): void {

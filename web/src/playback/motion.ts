@@ -3,11 +3,13 @@ export class SegmentMotion {
   /**
    * @param times scene seconds, one a sample, strictly ascending
    * @param xy x, y of agent 0 at sample 0, of agent 1 at sample 0, …, then sample 1
+   * @param heights z of every agent, sample by sample; null in a plane scene
    */
   constructor(
     readonly times: Float64Array,
     readonly xy: Float32Array,
     readonly agentCount: number,
+    readonly heights: Float32Array | null = null,
   ) {
     if (xy.length !== times.length * agentCount * 2) {
       throw new Error(`${times.length} samples of ${agentCount} agents are not ${xy.length} numbers`);

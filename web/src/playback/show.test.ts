@@ -5,7 +5,7 @@ import { SegmentMotion } from "./motion";
 import { eased, Show, showDuration } from "./show";
 
 function keyframe(time: number, hold: number, points: readonly Point[]): Keyframe {
-  return { name: "", time, hold, positions: Formation.from(points), adjacency: null };
+  return { name: "", time, hold, corner: false, positions: Formation.from(points), adjacency: null };
 }
 
 function segment(timing: Timing): Segment {
@@ -18,6 +18,9 @@ function segment(timing: Timing): Segment {
     sharing: 0.5,
     keepSize: false,
     timing,
+    avoidance: false,
+    hierarchy: false,
+    nodes: [],
   };
 }
 

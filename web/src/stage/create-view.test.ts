@@ -15,15 +15,18 @@ function sceneOf(places: readonly Point[]): Scene {
     tempo: { beatsPerMinute: 120, beatsPerBar: 4, start: 0 },
     frameRate: 30,
     minimumDistance: 0,
+    join: "separate",
+    tension: 0.5,
     groups: [],
-    adjacency: { base: "delaunay", weights: "inverse", ties: [], cuts: [] },
+    adjacency: { base: "delaunay", weights: "inverse", ties: [], cuts: [], obstacleTies: [] },
     tracks: [
       {
         agents: [],
-        keyframes: [{ name: "", time: 0, hold: 0, positions: Formation.from(places), adjacency: null }],
+        keyframes: [{ name: "", time: 0, hold: 0, corner: false, positions: Formation.from(places), adjacency: null }],
         segments: [],
       },
     ],
+    obstacles: [],
   };
 }
 

@@ -166,7 +166,7 @@ mod tests {
 
     #[test]
     fn unit_weights_are_the_factors() {
-        let spec = AdjacencySpec { weights: Weights::Unit, base: Base::None, ties: vec![(2, 0, 7.0)], cuts: vec![] };
+        let spec = AdjacencySpec { weights: Weights::Unit, base: Base::None, ties: vec![(2, 0, 7.0)], ..AdjacencySpec::default() };
         check(&spec, &[], &[(0, 2, 7.0, 7.0)]);
     }
 
@@ -177,6 +177,7 @@ mod tests {
             base: Base::Delaunay,
             ties: vec![(1, 0, 3.0), (1, 3, 5.0)],
             cuts: vec![(3, 2), (2, 0)],
+            ..AdjacencySpec::default()
         };
         let groups = [group(&[0, 1, 2], 10.0), group(&[0, 1], 0.5)];
         check(&spec, &groups, &[(0, 1, 15.0, 15.0), (0, 3, 1.0, 1.0), (1, 2, 10.0, 10.0), (1, 3, 5.0, 5.0)]);

@@ -33,10 +33,15 @@ impl Error {
             Self::TimesDoNotRise { .. } => "times-do-not-rise",
             Self::UnknownAgent { .. } => "unknown-agent",
             Self::SelfTie { .. } => "self-tie",
-            Self::RepeatedPair { .. } => "repeated-pair",
+            Self::RepeatedPair { .. } | Self::RepeatedObstacleTie { .. } => "repeated-pair",
             Self::RepeatedMember { .. } => "repeated-member",
             Self::SharedMember { .. } => "shared-member",
             Self::GroupsTooDeep { .. } => "groups-too-deep",
+            Self::MixedDimensions { .. } => "mixed-dimensions",
+            Self::UnknownObstacle { .. } => "unknown-obstacle",
+            Self::UnknownGroup { .. } => "unknown-group",
+            Self::RepeatedNode { .. } => "repeated-node",
+            Self::NoArea { .. } => "no-area",
             Self::TooManyTies { .. } => "too-many-ties",
             Self::MissingColumn { .. } => "missing-column",
             Self::UnknownColumn { .. } => "unknown-column",
@@ -87,7 +92,13 @@ impl Error {
             | Self::RepeatedPair { place, .. }
             | Self::RepeatedMember { place, .. }
             | Self::SharedMember { place, .. }
-            | Self::GroupsTooDeep { place, .. } => place.clone(),
+            | Self::GroupsTooDeep { place, .. }
+            | Self::MixedDimensions { place, .. }
+            | Self::UnknownObstacle { place, .. }
+            | Self::RepeatedObstacleTie { place, .. }
+            | Self::UnknownGroup { place }
+            | Self::RepeatedNode { place, .. }
+            | Self::NoArea { place } => place.clone(),
         }
     }
 }
@@ -102,5 +113,9 @@ fn too_many(what: Counted) -> &'static str {
         Counted::Ties | Counted::TiesInAll => "too-many-ties",
         Counted::Cuts => "too-many-cuts",
         Counted::Segments => "too-many-segments",
+        Counted::Nodes => "too-many-nodes",
+        Counted::Levels => "groups-too-deep",
+        Counted::Obstacles => "too-many-obstacles",
+        Counted::Corners => "too-many-corners",
     }
 }

@@ -23,6 +23,14 @@ pub enum Counted {
     Cuts,
     /// Segments of the scene.
     Segments,
+    /// Groups with a method of their own in one segment.
+    Nodes,
+    /// Levels of the way to a group.
+    Levels,
+    /// Obstacles of the scene.
+    Obstacles,
+    /// Corners of one polygon.
+    Corners,
 }
 
 impl Display for Counted {
@@ -37,6 +45,10 @@ impl Display for Counted {
             Self::TiesInAll => "ties at all keyframes together, those of groups included",
             Self::Cuts => "cuts in one list",
             Self::Segments => "segments",
+            Self::Nodes => "groups with a method of their own",
+            Self::Levels => "levels of groups",
+            Self::Obstacles => "obstacles",
+            Self::Corners => "corners of a polygon",
         })
     }
 }
@@ -50,9 +62,9 @@ impl Display for Listed<'_> {
     }
 }
 
-pub(super) fn agents_there(agent_count: usize) -> String {
-    match agent_count {
+pub(super) fn there_are(what: &str, count: usize) -> String {
+    match count {
         0 => "the scene has none".to_owned(),
-        count => format!("agents are 0 to {}", count - 1),
+        count => format!("{what} are 0 to {}", count - 1),
     }
 }

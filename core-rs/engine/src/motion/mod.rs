@@ -7,6 +7,8 @@ mod pair_list;
 
 use glam::DVec2;
 
+use crate::formation::rise;
+
 pub use closest::{Approach, Closeness, closeness};
 
 /// Sample times nearer than this are one, seconds: round-off of frame / frame rate, far below any frame.
@@ -18,17 +20,28 @@ pub struct Motion {
     times: Vec<f64>,
     agent_count: usize,
     positions: Vec<DVec2>,
+    /// None on the plane.
+    heights: Option<Vec<f64>>,
 }
 
 impl Motion {
-    /// `positions[k * agent_count + i]` is agent i at `times[k]`; seconds, meters.
+    /// On the plane: `positions[k * agent_count + i]` is agent i at `times[k]`; seconds, meters.
     ///
     /// # Panics
     /// When times do not ascend or the positions are not so many: a bug, not input.
     pub fn new(times: Vec<f64>, agent_count: usize, positions: Vec<DVec2>) -> Self {
         assert!(times.is_sorted_by(|a, b| a < b), "samples ascend in time");
         assert_eq!(positions.len(), times.len() * agent_count, "every agent has a position at every sample");
-        Self { times, agent_count, positions }
+        Self { times, agent_count, positions, heights: None }
+    }
+
+    /// In space: heights z as the positions are laid out.
+    ///
+    /// # Panics
+    /// As [`Self::new`], and when there are not as many heights as positions.
+    pub fn spatial(times: Vec<f64>, agent_count: usize, positions: Vec<DVec2>, heights: Vec<f64>) -> Self {
+        assert_eq!(heights.len(), positions.len(), "every position has a height");
+        Self { heights: Some(heights), ..Self::new(times, agent_count, positions) }
     }
 
     /// Sample times, seconds, ascending.
@@ -41,21 +54,31 @@ impl Motion {
         self.agent_count
     }
 
-    /// All positions, sample by sample.
+    /// All positions, sample by sample, as seen from above.
     pub fn positions(&self) -> &[DVec2] {
         &self.positions
     }
 
-    /// Positions by agent at sample `k`.
+    /// All heights, sample by sample; none on the plane.
+    pub fn heights(&self) -> Option<&[f64]> {
+        self.heights.as_deref()
+    }
+
+    /// Positions by agent at sample `k`, as seen from above.
     pub fn sample(&self, k: usize) -> &[DVec2] {
         &self.positions[k * self.agent_count..(k + 1) * self.agent_count]
+    }
+
+    /// Heights by agent at sample `k`; none on the plane.
+    pub fn sample_heights(&self, k: usize) -> Option<&[f64]> {
+        self.heights.as_ref().map(|heights| &heights[k * self.agent_count..(k + 1) * self.agent_count])
     }
 
     /// The diagonal of the box that holds every sample, meters.
     pub fn extent(&self) -> f64 {
         let Some(&first) = self.positions.first() else { return 0.0 };
         let (low, high) = self.positions.iter().fold((first, first), |(low, high), p| (low.min(*p), high.max(*p)));
-        low.distance(high)
+        low.distance(high).hypot(rise(self.heights()))
     }
 }
 

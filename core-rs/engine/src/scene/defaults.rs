@@ -3,9 +3,13 @@
 use std::sync::Arc;
 
 use super::{Agent, Keyframe, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
+use crate::choice::Join;
 
 /// Frames per second where none are given.
 pub const DEFAULT_FRAME_RATE: f64 = 30.0;
+
+/// Tension where none is given.
+pub const DEFAULT_TENSION: f64 = 0.5;
 
 /// Body radius where none is given, meters.
 pub const DEFAULT_RADIUS: f64 = 0.25;
@@ -20,9 +24,12 @@ impl Default for Scene {
             tempo: Tempo::default(),
             frame_rate: DEFAULT_FRAME_RATE,
             minimum_distance: 0.0,
+            join: Join::default(),
+            tension: DEFAULT_TENSION,
             groups: Arc::default(),
             adjacency: Arc::default(),
             tracks: vec![Track { agents: Arc::default(), keyframes: vec![Keyframe::default()], segments: Vec::new() }],
+            obstacles: Arc::default(),
         }
     }
 }
@@ -47,7 +54,7 @@ impl Default for Agent {
 
 impl Default for Keyframe {
     fn default() -> Self {
-        Self { name: String::new(), time: 0.0, hold: 0.0, positions: Arc::default(), adjacency: None }
+        Self { name: String::new(), time: 0.0, hold: 0.0, corner: false, positions: Arc::default(), adjacency: None }
     }
 }
 

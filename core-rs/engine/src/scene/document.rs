@@ -1,12 +1,12 @@
 //! The scene between the engine and the page: the shape of [`Scene`] itself, tracks included.
 //!
 //! Formations travel beside the text on the way in, as numbers the page holds anyway, and inside it on the way out,
-//! flat: x0, y0, x1, y1, …
+//! as flat numbers: `xy` x0, y0, x1, y1, … and in space `heights` z0, z1, …
 
 use std::sync::Arc;
 
 use glam::DVec2;
-use serde::Serializer;
+use serde::{Serialize, Serializer};
 
 use super::normalize::{normalize_adjacency, normalize_groups};
 use super::{Scene, limits, validate};
@@ -47,7 +47,15 @@ pub fn read(rest: &str, formations: Vec<Arc<Formation>>) -> Result<Scene, Error>
     Ok(scene)
 }
 
+/// A formation as the page reads it.
+#[derive(Serialize)]
+struct Flat<'f> {
+    xy: Vec<f64>,
+    heights: Option<&'f [f64]>,
+}
+
 /// Positions as flat numbers.
 pub(super) fn flat<S: Serializer>(formation: &Formation, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(formation.positions().iter().flat_map(DVec2::to_array))
+    let xy = formation.positions().iter().flat_map(DVec2::to_array).collect();
+    Flat { xy, heights: formation.heights() }.serialize(serializer)
 }

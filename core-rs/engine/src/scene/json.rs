@@ -5,6 +5,7 @@
 
 mod fields;
 mod layout;
+mod places;
 mod read;
 mod split;
 mod value;

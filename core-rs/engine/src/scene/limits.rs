@@ -77,3 +77,24 @@ pub const TEMPO_START: RangeInclusive<f64> = -3_600.0..=3_600.0;
 
 /// Sharing ρ.
 pub const SHARING: RangeInclusive<f64> = 0.0..=1.0;
+
+/// Tension τ of smooth joins.
+pub const TENSION: RangeInclusive<f64> = 0.0..=1.0;
+
+/// How much of a group's motion is its second method's.
+pub const BLEND: RangeInclusive<f64> = 0.0..=1.0;
+
+/// Groups with a method of their own in one segment: all of them, and the root.
+pub const NODES: usize = GROUPS + 1;
+
+/// Obstacles of the scene.
+pub const OBSTACLES: usize = 200;
+
+/// Corners of a polygon.
+pub const CORNERS: RangeInclusive<usize> = 3..=200;
+
+/// Radius of a circle, in meters: from what a link still tells apart to all admissible coordinates.
+pub const OBSTACLE_RADIUS: RangeInclusive<f64> = 1e-6..=1e5;
+
+/// A polygon's area below this, relative to the square of its extent, is round-off of its corners on a line.
+pub const LEAST_AREA: f64 = 1e-12;

@@ -16,12 +16,13 @@ mod number;
 mod open;
 pub(crate) mod place;
 mod queries;
+mod unsupported;
 mod validate;
 
 use std::sync::Arc;
 
 pub use csv::{Read, Written, read_csv, write_csv};
-pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS};
+pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS, DEFAULT_TENSION};
 pub use groups::group_ties;
 pub use json::{read_json, write_json};
 pub use open::{Opened, Source, open, open_bytes};
@@ -30,8 +31,9 @@ pub use validate::validate;
 use serde::{Deserialize, Serialize};
 
 use crate::adjacency::AdjacencySpec;
-use crate::choice::{Alignment, Choice, DEFAULT_SHARING, MethodName, Order, Timing};
+use crate::choice::{Alignment, Blend, Choice, DEFAULT_SHARING, Join, MethodName, Order, Timing};
 use crate::formation::Formation;
+use crate::obstacle::ObstacleShape;
 
 /// One scene, version 1. What version 1 names and this type lacks is refused as unsupported unless it has its default.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,6 +52,10 @@ pub struct Scene {
     pub frame_rate: f64,
     /// Agents nearer than this clash; meters, 0 for no limit.
     pub minimum_distance: f64,
+    /// How segments meet.
+    pub join: Join,
+    /// Tension τ of smooth joins, 0–1; 0.5 is that of Catmull and Rom.
+    pub tension: f64,
     /// The tree of groups; siblings share no agent.
     #[cfg_attr(feature = "types", ts(as = "Vec<Group>"))]
     pub groups: Arc<Vec<Group>>,
@@ -58,6 +64,9 @@ pub struct Scene {
     pub adjacency: Arc<AdjacencySpec>,
     /// Version 1 has exactly one, of all agents.
     pub tracks: Vec<Track>,
+    /// What agents go around.
+    #[cfg_attr(feature = "types", ts(as = "Vec<Obstacle>"))]
+    pub obstacles: Arc<Vec<Obstacle>>,
 }
 
 /// Agents that share a timeline.
@@ -181,6 +190,8 @@ pub struct Keyframe {
     pub time: f64,
     /// How long the agents stand from `time` on, seconds.
     pub hold: f64,
+    /// Stop here although segments join smoothly.
+    pub corner: bool,
     /// `positions[i]` is always agent i.
     #[cfg_attr(feature = "types", ts(type = "Formation"))]
     #[serde(skip_deserializing, serialize_with = "document::flat")]
@@ -218,6 +229,36 @@ pub struct TransitionSpec {
     pub keep_size: bool,
     /// How the parameter runs with time.
     pub timing: Timing,
+    /// Keep the minimum distance on the way.
+    pub avoidance: bool,
+    /// Let the groups move as wholes.
+    pub hierarchy: bool,
+    /// Groups that move by a method of their own, each once.
+    pub nodes: Vec<NodeSpec>,
+}
+
+/// How one group moves within a hierarchy.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct NodeSpec {
+    /// The group, as child indices from the root; empty: the root.
+    pub group: Vec<u32>,
+    /// Never `auto`.
+    pub method: MethodName,
+    /// A second method beside it.
+    pub blend: Option<Blend>,
+}
+
+/// Something on the stage that agents go around.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS))]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Obstacle {
+    /// At most 64 characters.
+    pub name: String,
+    /// Its outline.
+    pub shape: ObstacleShape,
 }
 
 impl Default for TransitionSpec {
@@ -230,6 +271,9 @@ impl Default for TransitionSpec {
             sharing: DEFAULT_SHARING,
             keep_size: false,
             timing: Timing::default(),
+            avoidance: false,
+            hierarchy: false,
+            nodes: Vec::new(),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What makes a scene valid: every limit and every reference, whichever way it came.
 
 mod groups;
+mod nodes;
+mod obstacles;
 mod ties;
 
 use std::fmt::Display;
@@ -8,7 +10,8 @@ use std::ops::RangeInclusive;
 
 use super::limits;
 use super::place::Place;
-use super::{Agent, Keyframe, Scene, Segment, Track};
+use super::unsupported;
+use super::{Agent, Group, Keyframe, Scene, Segment, Track};
 use crate::choice::MethodName;
 use crate::error::{Counted, Error};
 
@@ -26,11 +29,16 @@ pub fn validate(scene: &Scene) -> Result<(), Error> {
     for (index, keyframe) in track.keyframes.iter().enumerate() {
         check_keyframe(keyframe, top.field("keyframes").item(index))?;
     }
+    alike(&track.keyframes)?;
     times_rise(&track.keyframes)?;
     frames(scene)?;
     groups::check(&scene.groups, track.agents.len())?;
+    obstacles::check(&scene.obstacles)?;
     ties::check(scene)?;
-    track.segments.iter().enumerate().try_for_each(|(index, segment)| check_segment(segment, top.field("segments").item(index)))
+    for (index, segment) in track.segments.iter().enumerate() {
+        check_segment(segment, &scene.groups, &top.field("segments").item(index))?;
+    }
+    unsupported::check(scene)
 }
 
 /// At most `limit` of something.
@@ -92,7 +100,8 @@ fn surroundings(scene: &Scene) -> Result<(), Error> {
     within(f64::from(scene.tempo.beats_per_bar), &limits::BEATS_PER_BAR, tempo.field("beatsPerBar"))?;
     within(scene.tempo.start, &limits::TEMPO_START, tempo.field("start"))?;
     within(scene.frame_rate, &limits::FRAME_RATE, top.field("frameRate"))?;
-    within(scene.minimum_distance, &limits::LENGTH, top.field("minimumDistance"))
+    within(scene.minimum_distance, &limits::LENGTH, top.field("minimumDistance"))?;
+    within(scene.tension, &limits::TENSION, top.field("tension"))
 }
 
 fn check_agent(agent: &Agent, place: Place) -> Result<(), Error> {
@@ -109,7 +118,23 @@ fn check_keyframe(keyframe: &Keyframe, place: Place) -> Result<(), Error> {
     keyframe.positions.positions().iter().enumerate().try_for_each(|(agent, position)| {
         within(position.x, &limits::COORDINATE, positions.item(agent))?;
         within(position.y, &limits::COORDINATE, positions.item(agent))
-    })
+    })?;
+    let heights = keyframe.positions.heights().unwrap_or_default();
+    heights.iter().enumerate().try_for_each(|(agent, height)| within(*height, &limits::COORDINATE, positions.item(agent)))
+}
+
+/// All on the plane or all in space.
+fn alike(keyframes: &[Keyframe]) -> Result<(), Error> {
+    let dimensions = |keyframe: &Keyframe| if keyframe.positions.heights().is_some() { 3 } else { 2 };
+    let expected = keyframes.first().map_or(2, dimensions);
+    let mut found = keyframes.iter().map(dimensions).enumerate();
+    match found.find(|(_, found)| *found != expected) {
+        Some((index, found)) => {
+            let place = Place::Top.field("keyframes").item(index).field("positions").to_string();
+            Err(Error::MixedDimensions { found, expected, place })
+        }
+        None => Ok(()),
+    }
 }
 
 fn times_rise(keyframes: &[Keyframe]) -> Result<(), Error> {
@@ -134,15 +159,22 @@ fn frames(scene: &Scene) -> Result<(), Error> {
     Err(Error::TooManyFrames { agent_count, frames, limit: limits::SAMPLES, fitting_rate })
 }
 
-fn check_segment(segment: &Segment, place: Place) -> Result<(), Error> {
+fn check_segment(segment: &Segment, groups: &[Group], place: &Place) -> Result<(), Error> {
     let Segment::Transition(transition) = segment;
     within(transition.sharing, &limits::SHARING, place.field("sharing"))?;
-    let Some(chosen) = transition.chosen else { return Ok(()) };
-    let place = place.field("chosen");
-    within(chosen.sharing, &limits::SHARING, place.field("sharing"))?;
-    if chosen.method == MethodName::Auto {
-        let admissible = &["spectral", "shared", "polar", "linear"];
-        return Err(Error::UnknownValue { value: "auto".to_owned(), admissible, place: place.field("method").to_string() });
+    if let Some(chosen) = transition.chosen {
+        let place = place.field("chosen");
+        within(chosen.sharing, &limits::SHARING, place.field("sharing"))?;
+        certain(chosen.method, place.field("method"))?;
     }
-    Ok(())
+    nodes::check(&transition.nodes, groups, &place.field("nodes"))
+}
+
+/// A method that needs no choosing.
+fn certain(method: MethodName, place: impl Display) -> Result<(), Error> {
+    if method != MethodName::Auto {
+        return Ok(());
+    }
+    let admissible = &["spectral", "shared", "polar", "linear"];
+    Err(Error::UnknownValue { value: "\"auto\"".to_owned(), admissible, place: place.to_string() })
 }

@@ -4,9 +4,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eigenform::adjacency::{AdjacencySpec, Base, Weights};
-use eigenform::choice::{Alignment, Choice, MethodName, Order, Timing};
+use eigenform::choice::{Alignment, Blend, Choice, Join, MethodName, Order, Timing};
+use eigenform::error::Error;
 use eigenform::formation::Formation;
-use eigenform::scene::{Agent, Backdrop, Group, Keyframe, Scene, Segment, Stage, Tempo, Track, TransitionSpec, Units};
+use eigenform::obstacle::ObstacleShape;
+use eigenform::scene::{Agent, Backdrop, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
+use eigenform::scene::{Units, validate};
 use glam::DVec2;
 use proptest::collection::vec;
 use proptest::option;
@@ -14,21 +17,95 @@ use proptest::prelude::*;
 
 /// Valid scenes of every kind: few agents and many fields, coordinates of any digits, pairs lower agent first.
 pub fn arbitrary_scene() -> impl Strategy<Value = Scene> {
-    (0_usize..24, 1_usize..5).prop_flat_map(|(agent_count, keyframe_count)| {
+    (0_usize..24, 1_usize..5, any::<bool>(), 0_usize..4).prop_flat_map(|(agent_count, keyframe_count, is_spatial, obstacle_count)| {
         let surroundings = (title(), any::<u32>(), stage(), tempo(), 1.0..=120.0_f64, plain_or(0.0, 0.0..=1e5));
-        let parts = (groups(agent_count), adjacency(agent_count), track(agent_count, keyframe_count));
-        (surroundings, parts).prop_map(|((title, seed, stage, tempo, frame_rate, minimum_distance), (groups, adjacency, track))| Scene {
-            title,
-            seed,
-            stage,
-            tempo,
-            frame_rate: frame_rate_that_fits(frame_rate, &track),
-            minimum_distance,
-            groups: Arc::new(groups),
-            adjacency: Arc::new(adjacency),
-            tracks: vec![track],
+        let joining = (join(), plain_or(0.5, 0.0..=1.0), vec(obstacle(), obstacle_count));
+        let counts = Counts { agents: agent_count, obstacles: obstacle_count };
+        let parts = (groups(agent_count), adjacency(counts), track(counts, keyframe_count, is_spatial));
+        (surroundings, joining, parts).prop_map(|(surroundings, (join, tension, obstacles), (groups, adjacency, mut track))| {
+            let (title, seed, stage, tempo, frame_rate, minimum_distance) = surroundings;
+            keep_nodes_of(&groups, &mut track.segments);
+            supported(Scene {
+                title,
+                seed,
+                stage,
+                tempo,
+                frame_rate: frame_rate_that_fits(frame_rate, &track),
+                minimum_distance,
+                join,
+                tension,
+                groups: Arc::new(groups),
+                adjacency: Arc::new(adjacency),
+                tracks: vec![track],
+                obstacles: Arc::new(obstacles),
+            })
         })
     })
+}
+
+#[derive(Clone, Copy)]
+struct Counts {
+    agents: usize,
+    obstacles: usize,
+}
+
+/// The scene without what this program does not do yet.
+fn supported(mut scene: Scene) -> Scene {
+    while let Err(Error::Unsupported { place, .. }) = validate(&scene) {
+        let track = &mut scene.tracks[0];
+        let transitions = track.segments.iter_mut().map(|Segment::Transition(transition)| transition);
+        match place.rsplit('.').next() {
+            Some("join") => scene.join = Join::default(),
+            Some("corner") => track.keyframes.iter_mut().for_each(|keyframe| keyframe.corner = false),
+            Some("timing") => transitions.for_each(|transition| transition.timing = Timing::default()),
+            Some("avoidance") => transitions.for_each(|transition| transition.avoidance = false),
+            Some("hierarchy") => transitions.for_each(|transition| transition.hierarchy = false),
+            Some("nodes") => transitions.for_each(|transition| transition.nodes.clear()),
+            Some("obstacleTies" | "obstacles") => without_obstacles(&mut scene),
+            Some("positions") => track.keyframes.iter_mut().for_each(|keyframe| {
+                keyframe.positions = Arc::new(Formation::new(keyframe.positions.positions().to_vec()));
+            }),
+            _ => panic!("{place} was made by chance but is never supported"),
+        }
+    }
+    scene
+}
+
+fn without_obstacles(scene: &mut Scene) {
+    scene.obstacles = Arc::default();
+    let own = scene.tracks[0].keyframes.iter_mut().filter_map(|keyframe| keyframe.adjacency.as_mut());
+    own.chain([&mut scene.adjacency]).for_each(|spec| Arc::make_mut(spec).obstacle_ties.clear());
+}
+
+fn join() -> impl Strategy<Value = Join> {
+    prop::sample::select(vec![Join::Separate, Join::Smooth, Join::Product])
+}
+
+fn obstacle() -> impl Strategy<Value = Obstacle> {
+    let circle = (position(), 1e-6..=1e5_f64).prop_map(|(center, radius)| ObstacleShape::Circle { center, radius });
+    // Corners on a ring enclose an area, whichever they are.
+    let polygon = (-9e4..9e4_f64, vec(0.5..1.0_f64, 3..12)).prop_map(|(x, reaches)| {
+        let turn = std::f64::consts::TAU / reaches.len() as f64;
+        let corner = |(index, reach): (usize, f64)| DVec2::new(x, -x) + DVec2::from_angle(turn * index as f64) * reach * 1e3;
+        ObstacleShape::Polygon { points: reaches.into_iter().enumerate().map(corner).collect() }
+    });
+    (name(), prop_oneof![circle, polygon]).prop_map(|(name, shape)| Obstacle { name, shape })
+}
+
+/// Of the nodes made by chance those that name a group, each once.
+fn keep_nodes_of(groups: &[Group], segments: &mut [Segment]) {
+    for Segment::Transition(transition) in segments {
+        let mut seen = std::collections::BTreeSet::new();
+        transition.nodes.retain(|node| {
+            let is_there = match node.group[..] {
+                [] => true,
+                [band] => (band as usize) < groups.len(),
+                [band, part] => groups.get(band as usize).is_some_and(|band| (part as usize) < band.children.len()),
+                _ => false,
+            };
+            is_there && seen.insert(node.group.clone())
+        });
+    }
 }
 
 /// The default half of the time: most fields of most scenes are absent.
@@ -69,59 +146,69 @@ fn tempo() -> impl Strategy<Value = Tempo> {
     })
 }
 
-fn track(agent_count: usize, keyframe_count: usize) -> impl Strategy<Value = Track> {
-    let agents = prop_oneof![Just(vec![Agent::default(); agent_count]), vec(agent(), agent_count)];
-    (agents, keyframes(agent_count, keyframe_count), vec(segment(), keyframe_count - 1)).prop_map(|(agents, keyframes, segments)| Track {
-        agents: Arc::new(agents),
-        keyframes,
-        segments,
-    })
+fn track(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strategy<Value = Track> {
+    let agents = prop_oneof![Just(vec![Agent::default(); counts.agents]), vec(agent(), counts.agents)];
+    (agents, keyframes(counts, keyframe_count, is_spatial), vec(segment(), keyframe_count - 1))
+        .prop_map(|(agents, keyframes, segments)| Track { agents: Arc::new(agents), keyframes, segments })
 }
 
 fn agent() -> impl Strategy<Value = Agent> {
     (name(), color(), plain_or(0.25, 0.0..=1e5)).prop_map(|(name, color, radius)| Agent { name, color, radius })
 }
 
-fn keyframes(agent_count: usize, keyframe_count: usize) -> impl Strategy<Value = Vec<Keyframe>> {
+fn keyframes(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strategy<Value = Vec<Keyframe>> {
     let times = vec((plain_or(4.0, 0.001..400.0), plain_or(0.0, 0.0..400.0)), keyframe_count);
-    let parts = vec((name(), vec(position(), agent_count), option::weighted(0.2, adjacency(agent_count))), keyframe_count);
+    let part = (name(), any::<bool>(), formation(counts.agents, is_spatial), option::weighted(0.2, adjacency(counts)));
+    let parts = vec(part, keyframe_count);
     (plain_or(0.0, 0.0..400.0), times, parts).prop_map(|(start, times, parts)| {
         let mut time = start;
         let mut keyframes = Vec::new();
-        for ((gap, hold), (name, positions, adjacency)) in times.into_iter().zip(parts) {
-            let adjacency = adjacency.map(Arc::new);
-            keyframes.push(Keyframe { name, time, hold, positions: Arc::new(Formation::new(positions)), adjacency });
+        for ((gap, hold), (name, corner, formation, adjacency)) in times.into_iter().zip(parts) {
+            let (positions, adjacency) = (Arc::new(formation), adjacency.map(Arc::new));
+            keyframes.push(Keyframe { name, time, hold, corner, positions, adjacency });
             time += hold + gap;
         }
         keyframes
     })
 }
 
+fn formation(agent_count: usize, is_spatial: bool) -> impl Strategy<Value = Formation> {
+    (vec(position(), agent_count), vec(coordinate(), agent_count))
+        .prop_map(move |(positions, heights)| if is_spatial { Formation::spatial(positions, heights) } else { Formation::new(positions) })
+}
+
 fn position() -> impl Strategy<Value = DVec2> {
-    let coordinate = || prop_oneof![(-400_i32..400).prop_map(|step| f64::from(step) / 8.0), -50.0..50.0_f64, -1e5..=1e5_f64];
     (coordinate(), coordinate()).prop_map(|(x, y)| DVec2::new(x, y))
+}
+
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![(-400_i32..400).prop_map(|step| f64::from(step) / 8.0), -50.0..50.0_f64, -1e5..=1e5_f64]
 }
 
 fn segment() -> impl Strategy<Value = Segment> {
     let method =
         prop::sample::select(vec![MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear]);
-    let timing = prop::sample::select(vec![Timing::Linear, Timing::Smooth]);
-    let transition = (method, option::of(choice()), order(), alignment(), plain_or(0.5, 0.0..=1.0), any::<bool>(), timing);
-    let transition = transition.prop_map(|(method, chosen, order, alignment, sharing, keep_size, timing)| TransitionSpec {
-        method,
-        chosen,
-        order,
-        alignment,
-        sharing,
-        keep_size,
-        timing,
+    let timing = prop::sample::select(vec![Timing::Linear, Timing::Smooth, Timing::Even]);
+    let basics = (method, option::of(choice()), order(), alignment(), plain_or(0.5, 0.0..=1.0), any::<bool>(), timing);
+    let edits = (any::<bool>(), any::<bool>(), vec(node(), 0..4));
+    let transition = (basics, edits).prop_map(|(basics, (avoidance, hierarchy, nodes))| {
+        let (method, chosen, order, alignment, sharing, keep_size, timing) = basics;
+        TransitionSpec { method, chosen, order, alignment, sharing, keep_size, timing, avoidance, hierarchy, nodes }
     });
     prop_oneof![Just(TransitionSpec::default()), transition].prop_map(Segment::Transition)
 }
 
+fn node() -> impl Strategy<Value = NodeSpec> {
+    let blend = (certain_method(), 0.0..=1.0_f64).prop_map(|(method, amount)| Blend { method, amount });
+    (vec(0_u32..3, 0..3), certain_method(), option::of(blend)).prop_map(|(group, method, blend)| NodeSpec { group, method, blend })
+}
+
+fn certain_method() -> impl Strategy<Value = MethodName> {
+    prop::sample::select(vec![MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear])
+}
+
 fn choice() -> impl Strategy<Value = Choice> {
-    let method = prop::sample::select(vec![MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear]);
-    (method, order(), alignment(), plain_or(0.5, 0.0..=1.0)).prop_map(|(method, order, alignment, sharing)| Choice {
+    (certain_method(), order(), alignment(), plain_or(0.5, 0.0..=1.0)).prop_map(|(method, order, alignment, sharing)| Choice {
         method,
         order,
         alignment,
@@ -141,17 +228,28 @@ fn factor() -> impl Strategy<Value = f64> {
     prop_oneof![Just(1.0), Just(10.0), 1e-6..=1e6_f64]
 }
 
-fn adjacency(agent_count: usize) -> impl Strategy<Value = AdjacencySpec> {
+fn adjacency(counts: Counts) -> impl Strategy<Value = AdjacencySpec> {
     let base = prop::sample::select(vec![Base::Delaunay, Base::None]);
     let weights = prop::sample::select(vec![Weights::Inverse, Weights::Unit]);
-    let lists = (pairs(agent_count), pairs(agent_count), vec(factor(), 8));
-    let own = (base, weights, lists).prop_map(|(base, weights, (ties, cuts, factors))| AdjacencySpec {
+    let lists = (pairs(counts.agents), pairs(counts.agents), vec(factor(), 8), obstacle_ties(counts));
+    let own = (base, weights, lists).prop_map(|(base, weights, (ties, cuts, factors, obstacle_ties))| AdjacencySpec {
         base,
         weights,
         ties: ties.into_iter().zip(factors).map(|((a, b), factor)| (a, b, factor)).collect(),
         cuts,
+        obstacle_ties,
     });
     prop_oneof![Just(AdjacencySpec::default()), own]
+}
+
+fn obstacle_ties(counts: Counts) -> impl Strategy<Value = Vec<(u32, u32, f64)>> {
+    vec((0_u32..24, 0_u32..4, factor()), 0..4).prop_map(move |mut ties| {
+        let mut seen = std::collections::BTreeSet::new();
+        ties.retain(|(agent, obstacle, _)| {
+            (*agent as usize) < counts.agents && (*obstacle as usize) < counts.obstacles && seen.insert((*agent, *obstacle))
+        });
+        ties
+    })
 }
 
 /// At most eight pairs, each once, in any order.

@@ -1,6 +1,6 @@
 import { DEFAULT_AGENT } from "../defaults";
 import { chooseAllAgain, updateKeyframe, updateTrack } from "../edit";
-import { Formation, type Point } from "../formation";
+import type { Formation, Point } from "../formation";
 import { clampCoordinate, clipText, LIMITS, withinLimits } from "../limits";
 import { type Agent, type Group, mainTrack, type Scene } from "../scene";
 import type { Command } from "../store";
@@ -104,7 +104,7 @@ export function deleteAgents(agents: ReadonlySet<number>): Command {
         agents: kept.flatMap((agent) => was.agents[agent] ?? []),
         keyframes: was.keyframes.map((keyframe) => ({
           ...keyframe,
-          positions: Formation.from(kept.map((agent) => keyframe.positions.point(agent))),
+          positions: keyframe.positions.select(kept),
           adjacency: keyframe.adjacency && dropFromAdjacency(keyframe.adjacency, places),
         })),
       }));
@@ -176,13 +176,12 @@ function append(scene: Scene, newcomers: readonly Newcomer[]): Scene {
     agents: [...track.agents, ...newcomers.map(({ agent }) => agent)],
     keyframes: track.keyframes.map((keyframe) => ({
       ...keyframe,
-      positions: Formation.from([
-        ...keyframe.positions.points(),
-        ...newcomers.map(({ at }): Point => {
+      positions: keyframe.positions.add(
+        newcomers.map(({ at }): Point => {
           const [x, y] = at(keyframe.positions);
           return [clampCoordinate(x), clampCoordinate(y)];
         }),
-      ]),
+      ),
     })),
   }));
   return withinLimits(scene, chooseAllAgain(next));

@@ -23,5 +23,9 @@ export function dropFromAdjacency(adjacency: AdjacencySpec, places: ReadonlyMap<
       const [p, q] = [places.get(a), places.get(b)];
       return p === undefined || q === undefined ? [] : [[p, q] as const];
     }),
+    obstacleTies: adjacency.obstacleTies.flatMap(([agent, obstacle, factor]) => {
+      const place = places.get(agent);
+      return place === undefined ? [] : [[place, obstacle, factor] as const];
+    }),
   };
 }

@@ -37,6 +37,9 @@ function labelOf(options: TransitionOptions): string {
     sharing: "Change sharing",
     keepSize: "Change keep size",
     timing: "Change timing",
+    avoidance: "Change avoidance",
+    hierarchy: "Change hierarchy",
+    nodes: "Change group methods",
   };
   const keys = Object.keys(options) as (keyof TransitionOptions)[];
   const [only] = keys;

@@ -76,8 +76,8 @@ impl<'a> Row<'a> {
 
 /// Where a field stands, shown as `row 214, column x`.
 pub(super) struct Cell {
-    row: u64,
-    column: &'static str,
+    pub(super) row: u64,
+    pub(super) column: &'static str,
 }
 
 impl Display for Cell {

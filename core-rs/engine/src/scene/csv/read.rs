@@ -8,7 +8,6 @@ use super::columns::Columns;
 use super::groups::tree;
 use super::table::{AgentRow, Table};
 use crate::error::Error;
-use crate::formation::Formation;
 use crate::scene::validate::length;
 use crate::scene::{Agent, Keyframe, Scene, Segment, Stage, Track, limits, validate};
 
@@ -125,13 +124,14 @@ fn scene(table: &Table) -> Result<Read, Error> {
 }
 
 fn keyframes(table: &Table) -> Result<Vec<Keyframe>, Error> {
+    table.dimensions_agree()?;
     let are_numbered = table.keyframes.iter().all(|keyframe| is_whole_number(&keyframe.label));
     table
         .keyframes
         .iter()
         .map(|rows| {
             let name = if are_numbered { String::new() } else { rows.label.clone() };
-            let positions = Arc::new(Formation::new(table.formation(rows)?));
+            let positions = Arc::new(table.formation(rows)?);
             Ok(Keyframe { name, time: rows.time, positions, ..Keyframe::default() })
         })
         .collect()
@@ -150,10 +150,14 @@ pub(super) fn is_whole_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Wide and deep enough for everybody, centered.
+/// Wide, deep and high enough for everybody, centered on the ground.
 pub(super) fn fitted_stage(keyframes: &[Keyframe]) -> Stage {
     let positions = keyframes.iter().flat_map(|keyframe| keyframe.positions.positions());
     let reach = positions.fold(glam::DVec2::ZERO, |reach, position| reach.max(position.abs()));
-    let side = |reach: f64| ((2.0 * STAGE_MARGIN * reach / STAGE_STEP).ceil().max(2.0) * STAGE_STEP).min(*limits::STAGE_SIDE.end());
-    Stage { width: side(reach.x), depth: side(reach.y), ..Stage::default() }
+    let steps = |length: f64| (STAGE_MARGIN * length / STAGE_STEP).ceil();
+    let side = |reach: f64| (steps(2.0 * reach).max(2.0) * STAGE_STEP).min(*limits::STAGE_SIDE.end());
+    let heights = keyframes.iter().flat_map(|keyframe| keyframe.positions.heights().unwrap_or_default());
+    let top = heights.copied().fold(0.0, f64::max);
+    let height = (steps(top) * STAGE_STEP).min(*limits::LENGTH.end());
+    Stage { width: side(reach.x), depth: side(reach.y), height, ..Stage::default() }
 }

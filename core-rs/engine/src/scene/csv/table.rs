@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use super::columns::Row;
+use super::columns::{Cell, Row};
 use crate::error::{Counted, Error};
+use crate::formation::Formation;
 use crate::scene::validate::{at_most, color, length, within};
 use crate::scene::{limits, shown};
 
@@ -16,6 +17,10 @@ pub(super) struct Table {
     pub(super) keyframes: Vec<KeyframeRows>,
     agent_numbers: BTreeMap<String, usize>,
     keyframe_numbers: BTreeMap<String, usize>,
+    /// Whether any height is not 0: a file of zeros is on the plane.
+    is_spatial: bool,
+    /// The first row that gives no height.
+    first_flat_row: Option<u64>,
 }
 
 /// An agent as its first row has it.
@@ -31,13 +36,13 @@ pub(super) struct AgentRow {
 pub(super) struct KeyframeRows {
     pub(super) label: String,
     pub(super) time: f64,
-    /// By agent; shorter than there are agents while the last ones are missing.
-    positions: Vec<Option<DVec2>>,
+    /// By agent, with its height; shorter than there are agents while the last ones are missing.
+    positions: Vec<Option<(DVec2, f64)>>,
 }
 
 impl Table {
     pub(super) fn add(&mut self, row: &Row) -> Result<(), Error> {
-        let position = position(row)?;
+        let position = self.position(row)?;
         let keyframe = self.keyframe(row)?;
         let agent = self.agent(row)?;
         let count = self.agents.len() * self.keyframes.len();
@@ -53,15 +58,38 @@ impl Table {
         Ok(())
     }
 
-    /// The positions of every agent at a keyframe.
-    pub(super) fn formation(&self, keyframe: &KeyframeRows) -> Result<Vec<DVec2>, Error> {
+    /// Where every agent stands at a keyframe.
+    pub(super) fn formation(&self, keyframe: &KeyframeRows) -> Result<Formation, Error> {
         let positions = (0..self.agents.len()).map(|agent| keyframe.positions.get(agent).copied().flatten());
-        positions
-            .zip(&self.agents)
-            .map(|(position, agent)| {
-                position.ok_or_else(|| Error::MissingRow { agent: shown(&agent.id), keyframe: shown(&keyframe.label) })
-            })
-            .collect()
+        let found = positions.zip(&self.agents).map(|(position, agent)| {
+            position.ok_or_else(|| Error::MissingRow { agent: shown(&agent.id), keyframe: shown(&keyframe.label) })
+        });
+        let (positions, heights) = found.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        Ok(if self.is_spatial { Formation::spatial(positions, heights) } else { Formation::new(positions) })
+    }
+
+    /// Refuses a row without a height where others stand in space.
+    pub(super) fn dimensions_agree(&self) -> Result<(), Error> {
+        match self.first_flat_row {
+            Some(row) if self.is_spatial => {
+                Err(Error::MixedDimensions { found: 2, expected: 3, place: Cell { row, column: "z" }.to_string() })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn position(&mut self, row: &Row) -> Result<(DVec2, f64), Error> {
+        let position = DVec2::new(row.number("x")?, row.number("y")?);
+        within(position.x, &limits::COORDINATE, row.place("x"))?;
+        within(position.y, &limits::COORDINATE, row.place("y"))?;
+        if row.text("z").is_empty() {
+            self.first_flat_row.get_or_insert(row.number);
+            return Ok((position, 0.0));
+        }
+        let height = row.number("z")?;
+        within(height, &limits::COORDINATE, row.place("z"))?;
+        self.is_spatial |= height != 0.0;
+        Ok((position, height))
     }
 
     fn keyframe(&mut self, row: &Row) -> Result<usize, Error> {
@@ -106,15 +134,4 @@ impl Table {
         });
         Ok(self.agents.len() - 1)
     }
-}
-
-fn position(row: &Row) -> Result<DVec2, Error> {
-    let position = DVec2::new(row.number("x")?, row.number("y")?);
-    within(position.x, &limits::COORDINATE, row.place("x"))?;
-    within(position.y, &limits::COORDINATE, row.place("y"))?;
-    if !row.text("z").is_empty() && row.number("z")? != 0.0 {
-        let (value, place) = (format!("height {}", shown(row.text("z"))), row.place("z").to_string());
-        return Err(Error::Unsupported { value, supported: "0".to_owned(), place });
-    }
-    Ok(position)
 }

@@ -30,14 +30,15 @@ fn text(scene: &Scene, groups: &[String]) -> String {
     let has_colors = track.agents.iter().any(|agent| !agent.color.is_empty());
     let mut rows = Writer::from_writer(Vec::new());
     let mut write = |fields: &mut dyn Iterator<Item = &str>| rows.write_record(fields).expect("memory takes every row");
-    let header = ["keyframe", "time", "agent", "group", "x", "y"].into_iter();
+    let is_spatial = track.keyframes.iter().any(|keyframe| keyframe.positions.heights().is_some());
+    let header = ["keyframe", "time", "agent", "group", "x", "y"].into_iter().chain(is_spatial.then_some("z"));
     write(&mut header.chain(names.has_column.then_some("name")).chain(has_colors.then_some("color")));
     for (number, keyframe) in track.keyframes.iter().enumerate() {
         let (number, time) = (number.to_string(), number_text(keyframe.time));
         for (index, position) in keyframe.positions.positions().iter().enumerate() {
-            let [x, y] = position.to_array().map(number_text);
+            let [x, y, z] = [position.x, position.y, keyframe.positions.height(index)].map(number_text);
             let agent = &track.agents[index];
-            let fields = [&*number, &time, &names.ids[index], &groups[index], &x, &y].into_iter();
+            let fields = [&*number, &time, &names.ids[index], &groups[index], &x, &y].into_iter().chain(is_spatial.then_some(&*z));
             write(&mut fields.chain(names.has_column.then_some(agent.name.trim())).chain(has_colors.then_some(&*agent.color)));
         }
     }
@@ -85,6 +86,7 @@ fn losses(scene: &Scene) -> Vec<(bool, &'static str)> {
         (scene.tempo != default.tempo, "the tempo"),
         (scene.frame_rate.to_bits() != default.frame_rate.to_bits(), "the frame rate"),
         (scene.minimum_distance > 0.0, "the minimum distance"),
+        (scene.join != default.join || scene.tension.to_bits() != default.tension.to_bits(), "how transitions join"),
         (scene.seed != 0, "the seed"),
         (track.agents.iter().any(|agent| agent.radius.to_bits() != DEFAULT_RADIUS.to_bits()), "agents' radii"),
         (any_group(&scene.groups, |group| !group.color.is_empty()), "groups' colors"),
@@ -93,8 +95,10 @@ fn losses(scene: &Scene) -> Vec<(bool, &'static str)> {
         (*scene.adjacency != *default.adjacency, "the scene's ties"),
         (track.keyframes.iter().any(|keyframe| keyframe.adjacency.is_some()), "keyframes' own ties"),
         (track.keyframes.iter().any(|keyframe| keyframe.hold > 0.0), "holds"),
+        (track.keyframes.iter().any(|keyframe| keyframe.corner), "corners"),
         (track.keyframes.iter().any(|keyframe| !keyframe.name.is_empty()), "keyframes' names"),
         (!track.segments.iter().all(is_default), "how transitions move"),
+        (!scene.obstacles.is_empty(), "obstacles"),
     ]
 }
 

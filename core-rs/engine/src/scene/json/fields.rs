@@ -22,10 +22,8 @@ pub(super) struct Fields<'a, 'p> {
 
 /// The only value so far of a field that version 1 names.
 pub(super) enum Only {
-    False,
     Null,
     NoEntries,
-    Number(f64),
     Word(&'static str, &'static [&'static str]),
 }
 
@@ -118,11 +116,8 @@ impl<'a> Fields<'a, '_> {
     pub(super) fn only(&self, name: &'static str, only: &Only) -> Result<(), Error> {
         let Some(value) = self.get(name) else { return Ok(()) };
         let (is_supported, supported) = match *only {
-            Only::False => (!value.flag()?, "false".to_owned()),
             Only::Null => (value.is_null(), "null".to_owned()),
             Only::NoEntries => (value.is_empty_list()?, "[]".to_owned()),
-            // A default is written with few digits, so the parsed number is the same double.
-            Only::Number(number) => (value.number()?.to_bits() == number.to_bits(), number.to_string()),
             Only::Word(word, admissible) => {
                 let given = value.string()?;
                 if !admissible.contains(&given.as_str()) {

@@ -2,18 +2,16 @@
 
 use std::sync::Arc;
 
-use glam::DVec2;
-
 use super::fields::{Fields, Only};
+use super::places::{entry, formation, obstacle};
 use super::value::Value;
 use crate::adjacency::AdjacencySpec;
-use crate::choice::{Choice, DEFAULT_SHARING};
+use crate::choice::{Blend, Choice, DEFAULT_SHARING};
 use crate::error::{Counted, Error};
-use crate::formation::Formation;
 use crate::scene::normalize::{normalize_adjacency, normalize_groups};
 use crate::scene::place::Place;
-use crate::scene::{Agent, DEFAULT_FRAME_RATE, Group, Keyframe, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
-use crate::scene::{limits, shown, validate};
+use crate::scene::{Agent, DEFAULT_FRAME_RATE, DEFAULT_TENSION, Group, Keyframe, NodeSpec, Scene, Segment, Stage, Tempo, Track};
+use crate::scene::{TransitionSpec, limits, shown, validate};
 
 const SCENE: &[&str] = &[
     "format",
@@ -57,11 +55,11 @@ const SEGMENT: &[&str] = &[
     "crowd",
 ];
 const CHOICE: &[&str] = &["method", "order", "alignment", "sharing"];
+const NODE: &[&str] = &["group", "method", "blend"];
+const BLEND: &[&str] = &["method", "amount"];
 
-const JOINS: &[&str] = &["separate", "smooth", "product"];
 const KINDS: &[&str] = &["transition"];
 const LATER_METHODS: &[&str] = &["crowd"];
-const LATER_TIMINGS: &[&str] = &["even"];
 
 /// The scene of a scene file.
 pub fn read_json(text: &str) -> Result<Scene, Error> {
@@ -96,9 +94,6 @@ fn head(fields: &Fields) -> Result<(), Error> {
 }
 
 fn scene(fields: &Fields) -> Result<Scene, Error> {
-    fields.only("join", &Only::Word("separate", JOINS))?;
-    fields.only("tension", &Only::Number(0.5))?;
-    fields.only("obstacles", &Only::NoEntries)?;
     fields.only("recordings", &Only::NoEntries)?;
     Ok(Scene {
         title: fields.string("title")?,
@@ -107,9 +102,12 @@ fn scene(fields: &Fields) -> Result<Scene, Error> {
         tempo: fields.get("tempo").map_or(Ok(Tempo::default()), tempo)?,
         frame_rate: fields.number("frameRate", DEFAULT_FRAME_RATE)?,
         minimum_distance: fields.number("minimumDistance", 0.0)?,
+        join: fields.word("join", &[])?,
+        tension: fields.number("tension", DEFAULT_TENSION)?,
         groups: Arc::new(groups(fields)?),
         adjacency: fields.get("adjacency").map_or(Ok(Arc::default()), |value| adjacency(value).map(Arc::new))?,
         tracks: vec![track(fields)?],
+        obstacles: Arc::new(fields.list("obstacles", limits::OBSTACLES, Counted::Obstacles, obstacle)?),
     })
 }
 
@@ -160,12 +158,12 @@ fn group(value: Value, depth: usize, count: &mut usize) -> Result<Group, Error> 
 
 fn adjacency(value: Value) -> Result<AdjacencySpec, Error> {
     let fields = value.object(ADJACENCY)?;
-    fields.only("obstacleTies", &Only::NoEntries)?;
     let mut spec = AdjacencySpec {
         base: fields.word("base", &[])?,
         weights: fields.word("weights", &[])?,
         ties: fields.list("ties", limits::TIES_PER_KEYFRAME, Counted::Ties, tie)?,
         cuts: fields.list("cuts", limits::CUTS, Counted::Cuts, cut)?,
+        obstacle_ties: fields.list("obstacleTies", limits::TIES_PER_KEYFRAME, Counted::Ties, obstacle_tie)?,
     };
     normalize_adjacency(&mut spec);
     Ok(spec)
@@ -180,29 +178,17 @@ fn tie(value: Value) -> Result<(u32, u32, f64), Error> {
     Ok((entry(&value, a).whole()?, entry(&value, b).whole()?, entry(&value, factor).number()?))
 }
 
+fn obstacle_tie(value: Value) -> Result<(u32, u32, f64), Error> {
+    let [agent, obstacle, factor] = value.exactly("[agent, obstacle, factor], two indices and a number")?;
+    Ok((entry(&value, agent).whole()?, entry(&value, obstacle).whole()?, entry(&value, factor).number()?))
+}
+
 fn cut(value: Value) -> Result<(u32, u32), Error> {
     if let Ok(cut) = serde_json::from_str(value.text) {
         return Ok(cut);
     }
     let [a, b] = value.exactly("[a, b], two agents")?;
     Ok((entry(&value, a).whole()?, entry(&value, b).whole()?))
-}
-
-fn position(value: Value) -> Result<DVec2, Error> {
-    const SHAPE: &str = "[x, y], two numbers in meters";
-    if let Ok(position) = serde_json::from_str(value.text) {
-        return Ok(DVec2::from_array(position));
-    }
-    if value.exactly::<3>(SHAPE).is_ok() {
-        return Err(Error::Unsupported { value: shown(value.text), supported: "[x, y]".to_owned(), place: value.place.to_string() });
-    }
-    let [x, y] = value.exactly(SHAPE)?;
-    Ok(DVec2::new(entry(&value, x).number()?, entry(&value, y).number()?))
-}
-
-/// An entry of a short list that is named as a whole.
-fn entry<'a, 'p>(list: &Value<'_, 'p>, text: &'a str) -> Value<'a, 'p> {
-    Value { text, place: list.place }
 }
 
 fn track(fields: &Fields) -> Result<Track, Error> {
@@ -219,17 +205,18 @@ fn track(fields: &Fields) -> Result<Track, Error> {
     })
 }
 
-/// What the keyframes read so far have used of the limits over all of them.
+/// What the keyframes read so far have used of the limits over all of them, and in how many dimensions their agents stand.
 #[derive(Default)]
 struct Budget {
     positions: usize,
     ties: usize,
+    dimensions: Option<usize>,
 }
 
 impl Budget {
     fn spend(&mut self, keyframe: &Keyframe, place: Place) -> Result<(), Error> {
         self.positions += keyframe.positions.agent_count();
-        self.ties += keyframe.adjacency.as_ref().map_or(0, |own| own.ties.len());
+        self.ties += keyframe.adjacency.as_ref().map_or(0, |own| own.ties.len() + own.obstacle_ties.len());
         let sums = [(self.positions, limits::POSITIONS, Counted::Positions), (self.ties, limits::TIES_IN_ALL, Counted::TiesInAll)];
         match sums.into_iter().find(|(count, limit, _)| count > limit) {
             Some((count, limit, what)) => Err(Error::TooMany { what, count, limit, place: place.to_string() }),
@@ -240,14 +227,14 @@ impl Budget {
 
 fn keyframe(value: Value, budget: &mut Budget) -> Result<Keyframe, Error> {
     let fields = value.object(KEYFRAME)?;
-    fields.only("corner", &Only::False)?;
     fields.only("absent", &Only::NoEntries)?;
     fields.required("positions")?;
     let keyframe = Keyframe {
         name: fields.string("name")?,
         time: fields.number("time", 0.0)?,
         hold: fields.number("hold", 0.0)?,
-        positions: Arc::new(Formation::new(fields.list("positions", limits::AGENTS, Counted::Agents, position)?)),
+        corner: fields.flag("corner")?,
+        positions: Arc::new(formation(&fields, &mut budget.dimensions)?),
         adjacency: fields.optional("adjacency", adjacency)?.map(Arc::new),
     };
     budget.spend(&keyframe, value.place)?;
@@ -263,9 +250,6 @@ fn agent(value: Value) -> Result<Agent, Error> {
 fn segment(value: Value) -> Result<Segment, Error> {
     let fields = value.object(SEGMENT)?;
     fields.only("kind", &Only::Word("transition", KINDS))?;
-    fields.only("avoidance", &Only::False)?;
-    fields.only("hierarchy", &Only::False)?;
-    fields.only("nodes", &Only::NoEntries)?;
     for name in ["path", "assignment", "crowd"] {
         fields.only(name, &Only::Null)?;
     }
@@ -276,8 +260,25 @@ fn segment(value: Value) -> Result<Segment, Error> {
         alignment: fields.word("alignment", &[])?,
         sharing: fields.number("sharing", DEFAULT_SHARING)?,
         keep_size: fields.flag("keepSize")?,
-        timing: fields.word("timing", LATER_TIMINGS)?,
+        timing: fields.word("timing", &[])?,
+        avoidance: fields.flag("avoidance")?,
+        hierarchy: fields.flag("hierarchy")?,
+        nodes: fields.list("nodes", limits::NODES, Counted::Nodes, node)?,
     }))
+}
+
+fn node(value: Value) -> Result<NodeSpec, Error> {
+    let fields = value.object(NODE)?;
+    Ok(NodeSpec {
+        group: fields.list("group", limits::GROUP_DEPTH, Counted::Levels, |index| index.whole())?,
+        method: fields.required("method")?.word(LATER_METHODS)?,
+        blend: fields.optional("blend", blend)?,
+    })
+}
+
+fn blend(value: Value) -> Result<Blend, Error> {
+    let fields = value.object(BLEND)?;
+    Ok(Blend { method: fields.required("method")?.word(LATER_METHODS)?, amount: fields.required("amount")?.number()? })
 }
 
 fn choice(value: Value) -> Result<Choice, Error> {

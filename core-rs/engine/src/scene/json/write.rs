@@ -5,7 +5,9 @@ use serde::Serialize;
 use super::layout::Layout;
 use crate::adjacency::AdjacencySpec;
 use crate::choice::Choice;
-use crate::scene::{Agent, Group, Keyframe, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
+use crate::formation::Formation;
+use crate::obstacle::ObstacleShape;
+use crate::scene::{Agent, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
 
 /// The scene file; [`super::read_json`] gives an equal scene.
 ///
@@ -27,6 +29,8 @@ pub fn write_json(scene: &Scene) -> String {
         }
         number(out, "frameRate", scene.frame_rate, default.frame_rate);
         number(out, "minimumDistance", scene.minimum_distance, default.minimum_distance);
+        word(out, "join", &scene.join);
+        number(out, "tension", scene.tension, default.tension);
         let track = scene.main_track();
         agents(out, &track.agents);
         if !scene.groups.is_empty() {
@@ -37,6 +41,9 @@ pub fn write_json(scene: &Scene) -> String {
         }
         out.key("keyframes").list(&track.keyframes, keyframe);
         segments(out, track);
+        if !scene.obstacles.is_empty() {
+            out.key("obstacles").list(&scene.obstacles, obstacle);
+        }
     });
     layout.finish()
 }
@@ -98,18 +105,23 @@ fn group_fields(out: &mut Layout, group: &Group) {
 }
 
 fn adjacency(out: &mut Layout, spec: &AdjacencySpec) {
-    if spec.ties.is_empty() && spec.cuts.is_empty() {
+    if spec.ties.is_empty() && spec.cuts.is_empty() && spec.obstacle_ties.is_empty() {
         out.object_line(|out| adjacency_words(out, spec));
     } else {
         out.object(|out| {
             adjacency_words(out, spec);
-            if !spec.ties.is_empty() {
-                out.key("ties").list(&spec.ties, |out, &(a, b, factor)| numbers(out, &[f64::from(a), f64::from(b), factor]));
-            }
+            ties(out, "ties", &spec.ties);
             if !spec.cuts.is_empty() {
                 out.key("cuts").list(&spec.cuts, |out, &(a, b)| numbers(out, &[f64::from(a), f64::from(b)]));
             }
+            ties(out, "obstacleTies", &spec.obstacle_ties);
         });
+    }
+}
+
+fn ties(out: &mut Layout, name: &str, ties: &[(u32, u32, f64)]) {
+    if !ties.is_empty() {
+        out.key(name).list(ties, |out, &(a, b, factor)| numbers(out, &[f64::from(a), f64::from(b), factor]));
     }
 }
 
@@ -123,10 +135,20 @@ fn keyframe(out: &mut Layout, keyframe: &Keyframe) {
         string(out, "name", &keyframe.name);
         number(out, "time", keyframe.time, 0.0);
         number(out, "hold", keyframe.hold, 0.0);
-        out.key("positions").list(keyframe.positions.positions(), |out, position| numbers(out, &position.to_array()));
+        flag(out, "corner", keyframe.corner);
+        positions(out.key("positions"), &keyframe.positions);
         if let Some(own) = &keyframe.adjacency {
             adjacency(out.key("adjacency"), own);
         }
+    });
+}
+
+fn positions(out: &mut Layout, formation: &Formation) {
+    let mut agent = 0;
+    out.list(formation.positions(), |out, position| {
+        let spot = [position.x, position.y, formation.height(agent)];
+        numbers(out, if formation.heights().is_some() { &spot } else { &spot[..2] });
+        agent += 1;
     });
 }
 
@@ -148,10 +170,45 @@ fn transition_fields(out: &mut Layout, transition: &TransitionSpec) {
     word(out, "order", &transition.order);
     word(out, "alignment", &transition.alignment);
     number(out, "sharing", transition.sharing, default.sharing);
-    if transition.keep_size {
-        out.key("keepSize").raw("true");
-    }
+    flag(out, "keepSize", transition.keep_size);
     word(out, "timing", &transition.timing);
+    flag(out, "avoidance", transition.avoidance);
+    flag(out, "hierarchy", transition.hierarchy);
+    if !transition.nodes.is_empty() {
+        out.key("nodes").list_line(&transition.nodes, node);
+    }
+}
+
+fn node(out: &mut Layout, node: &NodeSpec) {
+    out.object_line(|out| {
+        if !node.group.is_empty() {
+            out.key("group").list_line(&node.group, |out, index| out.number(f64::from(*index)));
+        }
+        required_word(out, "method", &node.method);
+        if let Some(blend) = &node.blend {
+            out.key("blend").object_line(|out| {
+                required_word(out, "method", &blend.method);
+                out.key("amount").number(blend.amount);
+            });
+        }
+    });
+}
+
+fn obstacle(out: &mut Layout, obstacle: &Obstacle) {
+    out.object_line(|out| {
+        string(out, "name", &obstacle.name);
+        match &obstacle.shape {
+            ObstacleShape::Circle { center, radius } => {
+                out.key("kind").string("circle");
+                numbers(out.key("center"), &center.to_array());
+                out.key("radius").number(*radius);
+            }
+            ObstacleShape::Polygon { points } => {
+                out.key("kind").string("polygon");
+                out.key("points").list_line(points, |out, point| numbers(out, &point.to_array()));
+            }
+        }
+    });
 }
 
 fn choice(out: &mut Layout, choice: &Choice) {
@@ -179,8 +236,18 @@ fn string(out: &mut Layout, name: &str, text: &str) {
     }
 }
 
+fn flag(out: &mut Layout, name: &str, is_so: bool) {
+    if is_so {
+        out.key(name).raw("true");
+    }
+}
+
 fn word<T: Serialize + Default + PartialEq>(out: &mut Layout, name: &str, word: &T) {
     if *word != T::default() {
-        out.key(name).raw(&serde_json::to_string(word).expect("a word is written as a text"));
+        required_word(out, name, word);
     }
+}
+
+fn required_word<T: Serialize>(out: &mut Layout, name: &str, word: &T) {
+    out.key(name).raw(&serde_json::to_string(word).expect("a word is written as a text"));
 }

@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use super::additions::{basics_of_adjacency, basics_of_segment, has_additions};
 use super::graph::{Members, Pairs};
 use super::models::{Number, Symbol, code_even};
 use super::names::Texts;
@@ -20,10 +21,11 @@ use crate::scene::{Agent, Backdrop, Group, Keyframe, Scene, Segment, Stage, Temp
 const BACKDROPS: [Backdrop; 6] =
     [Backdrop::Grid, Backdrop::None, Backdrop::FootballCollege, Backdrop::FootballHs, Backdrop::Soccer, Backdrop::Stage];
 const UNITS: [Units; 4] = [Units::M, Units::Ft, Units::Yd, Units::Steps];
-const METHODS: [MethodName; 5] = [MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear];
+pub(super) const METHODS: [MethodName; 5] =
+    [MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear];
 const ORDERS: [Order; 4] = [Order::Greedy, Order::Eigenvalue, Order::Maxmin, Order::Hungarian];
 const ALIGNMENTS: [Alignment; 3] = [Alignment::Pca, Alignment::None, Alignment::Procrustes];
-const TIMINGS: [Timing; 2] = [Timing::Smooth, Timing::Linear];
+const TIMINGS: [Timing; 3] = [Timing::Smooth, Timing::Linear, Timing::Even];
 const BASES: [Base; 2] = [Base::Delaunay, Base::None];
 const WEIGHTS: [Weights; 2] = [Weights::Inverse, Weights::Unit];
 
@@ -35,12 +37,14 @@ pub struct Document {
     pub step: Step,
     /// By keyframe, then by agent.
     pub cells: Vec<Vec<Cell>>,
+    /// Heights in steps, by keyframe, then by agent; no keyframes on the plane.
+    pub heights: Vec<Vec<i64>>,
 }
 
 /// Codes a whole scene; a reader starts from the default one.
 pub fn code_document(coder: &mut impl Coder, document: &mut Document) -> Result<(), Error> {
     let mut fields = Fields { coder, texts: Texts::default(), pairs: Pairs::default() };
-    let Document { scene, step, cells } = document;
+    let Document { scene, step, cells, .. } = document;
     fields.code_surroundings(scene)?;
     step.code(fields.coder)?;
     let (agent_count, keyframe_count) = fields.code_counts(cells)?;
@@ -54,10 +58,9 @@ pub fn code_document(coder: &mut impl Coder, document: &mut Document) -> Result<
     fields.code_groups(Arc::make_mut(&mut scene.groups), &mut Tree { members: Members::new(agent_count), group_count: 0, depth: 0 })?;
     fields.code_adjacency(Arc::make_mut(&mut scene.adjacency))?;
     fields.code_segments(&mut track.segments)?;
-    // Set by a later version that has more to say.
-    let mut has_more = false;
+    let mut has_more = has_additions(document);
     fields.coder.bit(&mut Bit::likely(false), &mut has_more);
-    if has_more { Err(newer()) } else { Ok(()) }
+    if has_more { fields.code_additions(document) } else { Ok(()) }
 }
 
 fn blank_track(agent_count: usize, keyframe_count: usize) -> Track {
@@ -66,13 +69,13 @@ fn blank_track(agent_count: usize, keyframe_count: usize) -> Track {
     Track { agents: Arc::new(vec![Agent::default(); agent_count]), keyframes, segments }
 }
 
-fn newer() -> Error {
+pub(super) fn newer() -> Error {
     Error::NewerVersion { version: "1 with additions".to_owned() }
 }
 
-struct Fields<'c, C> {
-    coder: &'c mut C,
-    texts: Texts,
+pub(super) struct Fields<'c, C> {
+    pub(super) coder: &'c mut C,
+    pub(super) texts: Texts,
     pairs: Pairs,
 }
 
@@ -186,7 +189,7 @@ impl<C: Coder> Fields<'_, C> {
     }
 
     fn code_adjacency(&mut self, spec: &mut AdjacencySpec) -> Result<(), Error> {
-        let mut is_blank = *spec == AdjacencySpec::default();
+        let mut is_blank = basics_of_adjacency(spec) == AdjacencySpec::default();
         self.coder.bit(&mut Bit::likely(true), &mut is_blank);
         if is_blank {
             return Ok(());
@@ -216,10 +219,12 @@ impl<C: Coder> Fields<'_, C> {
         let mut alike = Bit::likely(true);
         let mut last = Segment::default();
         for segment in segments {
-            let mut is_alike = *segment == last;
+            let mut is_alike = basics_of_segment(segment) == last;
             self.coder.bit(&mut alike, &mut is_alike);
             if is_alike {
-                segment.clone_from(&last);
+                if self.coder.is_reading() {
+                    segment.clone_from(&last);
+                }
             } else {
                 let mut kind = 0;
                 Symbol::new(2).code(self.coder, &mut kind);
@@ -229,13 +234,13 @@ impl<C: Coder> Fields<'_, C> {
                 let Segment::Transition(transition) = segment;
                 self.code_transition(transition)?;
             }
-            last.clone_from(segment);
+            last = basics_of_segment(segment);
         }
         Ok(())
     }
 
     fn code_transition(&mut self, transition: &mut TransitionSpec) -> Result<(), Error> {
-        let TransitionSpec { method, chosen, order, alignment, sharing, keep_size, timing } = transition;
+        let TransitionSpec { method, chosen, order, alignment, sharing, keep_size, timing, .. } = transition;
         self.code_word(&METHODS, method)?;
         self.code_word(&ORDERS, order)?;
         self.code_word(&ALIGNMENTS, alignment)?;
@@ -261,7 +266,7 @@ impl<C: Coder> Fields<'_, C> {
     }
 
     /// A number that occurs once and mostly has its usual value.
-    fn code_usual(&mut self, usual: f64, value: &mut f64) {
+    pub(super) fn code_usual(&mut self, usual: f64, value: &mut f64) {
         self.code_number(&mut Bit::likely(true), &mut Number::default(), usual, value);
     }
 
@@ -276,7 +281,7 @@ impl<C: Coder> Fields<'_, C> {
     }
 
     /// One of a list with room for sixteen; the first is the usual one.
-    fn code_word<T: Copy + PartialEq>(&mut self, words: &[T], word: &mut T) -> Result<(), Error> {
+    pub(super) fn code_word<T: Copy + PartialEq>(&mut self, words: &[T], word: &mut T) -> Result<(), Error> {
         let mut at = words.iter().position(|known| known == word).unwrap_or(0) as u32;
         let mut is_usual = at == 0;
         self.coder.bit(&mut Bit::likely(true), &mut is_usual);

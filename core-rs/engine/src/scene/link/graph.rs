@@ -100,7 +100,8 @@ impl Pairs {
     }
 }
 
-fn code_count(model: &mut Integer, coder: &mut impl Coder, count: usize, limit: usize) -> Result<usize, Error> {
+/// Codes how long a list is.
+pub fn code_count(model: &mut Integer, coder: &mut impl Coder, count: usize, limit: usize) -> Result<usize, Error> {
     let mut count = i64::try_from(count).expect("a count within the limits");
     model.code(coder, &mut count);
     usize::try_from(count).ok().filter(|count| *count <= limit).ok_or(Error::LinkTooLarge)

@@ -3,6 +3,7 @@
 //! The payload is base64url of a head (how long the rest is, and its CRC-32) and the range-coded document.
 //! The head is what tells a cut link from a damaged one; everything else about a link is decided in `document`.
 
+mod additions;
 mod document;
 mod graph;
 mod models;
@@ -19,6 +20,7 @@ use std::sync::Arc;
 use document::{Document, code_document};
 use range::{Reader, Writer};
 pub use round::Precision;
+use route::Cell;
 use step::Step;
 
 use super::normalize::{normalize_adjacency, normalize_groups};
@@ -44,7 +46,7 @@ pub struct Link {
 /// When the scene is not valid: a bug, not input.
 pub fn encode(scene: &Scene, precision: Precision) -> Link {
     let rounded = round::round(scene, precision);
-    let mut document = Document { scene: scene.clone(), step: rounded.step, cells: rounded.cells };
+    let mut document = Document { scene: scene.clone(), step: rounded.step, cells: rounded.cells, heights: rounded.heights };
     for keyframe in &mut document.scene.tracks[0].keyframes {
         keyframe.positions = Arc::default();
     }
@@ -64,11 +66,11 @@ pub fn encode(scene: &Scene, precision: Precision) -> Link {
 /// Text that is no link, a link that is cut, damaged, newer or too large, or a scene that is not valid.
 pub fn decode(text: &str) -> Result<Scene, Error> {
     let body = text::unwrap(text)?;
-    let mut document = Document { scene: Scene::default(), step: Step::Binary { exponent: 0 }, cells: Vec::new() };
+    let mut document = blank(Vec::new());
     code_document(&mut Reader::new(&body), &mut document)?;
-    let Document { mut scene, step, cells } = document;
-    for (keyframe, cells) in scene.tracks[0].keyframes.iter_mut().zip(&cells) {
-        keyframe.positions = round::formation(step, cells);
+    let Document { mut scene, step, cells, heights } = document;
+    for (index, (keyframe, cells)) in scene.tracks[0].keyframes.iter_mut().zip(&cells).enumerate() {
+        keyframe.positions = round::formation(step, cells, heights.get(index).map(Vec::as_slice));
     }
     normalize_groups(Arc::<Vec<Group>>::make_mut(&mut scene.groups));
     normalize_adjacency(Arc::make_mut(&mut scene.adjacency));
@@ -78,6 +80,11 @@ pub fn decode(text: &str) -> Result<Scene, Error> {
     Ok(scene)
 }
 
+/// What a reader starts from.
+fn blank(cells: Vec<Vec<Cell>>) -> Document {
+    Document { scene: Scene::default(), step: Step::Binary { exponent: 0 }, cells, heights: Vec::new() }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -85,8 +92,7 @@ mod tests {
     #[test]
     fn a_link_of_too_many_agents_is_refused_before_there_is_room_for_them() {
         for (agents, keyframes) in [(5_001, 1), (8_191, 255), (1, 201), (5_000, 41), (1_001, 200)] {
-            let cells = vec![vec![[0; 2]; agents]; keyframes];
-            let mut document = Document { scene: Scene::default(), step: Step::Binary { exponent: 0 }, cells };
+            let mut document = blank(vec![vec![[0; 2]; agents]; keyframes]);
             let mut writer = Writer::default();
             assert!(code_document(&mut writer, &mut document).is_err(), "a writer stops there too");
             assert_eq!(decode(&text::wrap(&writer.finish())), Err(Error::LinkTooLarge), "{agents} × {keyframes}");

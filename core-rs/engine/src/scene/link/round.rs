@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::route::Cell;
 use super::step::{ROUNDED_SPAN, Step};
@@ -24,6 +24,8 @@ pub struct Rounded {
     pub step: Step,
     /// By keyframe, then by agent.
     pub cells: Vec<Vec<Cell>>,
+    /// Heights in steps, by keyframe, then by agent; no keyframes on the plane.
+    pub heights: Vec<Vec<i64>>,
     /// The farthest that an agent was moved, meters; 0 where the step represents every coordinate.
     pub farthest: f64,
     /// Keyframes that only then break the minimum distance.
@@ -34,8 +36,8 @@ pub struct Rounded {
 ///
 /// What comes out lies on its grid, and rounding it again changes nothing.
 pub fn round(scene: &Scene, precision: Precision) -> Rounded {
-    let before: Vec<&[DVec2]> = scene.tracks[0].keyframes.iter().map(|keyframe| keyframe.positions.positions()).collect();
-    let mut points: Vec<DVec2> = before.concat();
+    let before: Vec<Vec<DVec3>> = scene.tracks[0].keyframes.iter().map(|keyframe| points_of(&keyframe.positions)).collect();
+    let mut points: Vec<DVec3> = before.concat();
     let mut step = settle(&mut points);
     let mut farthest = 0.0;
     let mut broken_keyframes = Vec::new();
@@ -50,18 +52,30 @@ pub fn round(scene: &Scene, precision: Precision) -> Rounded {
         farthest = before.concat().iter().zip(&points).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         broken_keyframes = broken(&before, &points, scene.minimum_distance);
     }
-    let mut rest = points.iter().map(|point| [step.index(point.x), step.index(point.y)]);
-    let cells = before.iter().map(|formation| rest.by_ref().take(formation.len()).collect()).collect();
-    Rounded { step, cells, farthest, broken_keyframes }
+    let mut rest = points.iter().map(|point| point.to_array().map(|coordinate| step.index(coordinate)));
+    let indices: Vec<Vec<[i64; 3]>> = before.iter().map(|formation| rest.by_ref().take(formation.len()).collect()).collect();
+    let cells = indices.iter().map(|formation| formation.iter().map(|[x, y, _]| [*x, *y]).collect()).collect();
+    let is_spatial = scene.tracks[0].keyframes.iter().any(|keyframe| keyframe.positions.heights().is_some());
+    let heights = indices.iter().filter(|_| is_spatial).map(|formation| formation.iter().map(|[_, _, z]| *z).collect()).collect();
+    Rounded { step, cells, heights, farthest, broken_keyframes }
 }
 
-/// The formation of a grid's cells.
-pub fn formation(step: Step, cells: &[Cell]) -> Arc<Formation> {
-    Arc::new(Formation::new(cells.iter().map(|[x, y]| DVec2::new(step.value(*x), step.value(*y))).collect()))
+/// The formation of a grid's cells, and of heights in space.
+pub fn formation(step: Step, cells: &[Cell], heights: Option<&[i64]>) -> Arc<Formation> {
+    let positions = cells.iter().map(|[x, y]| DVec2::new(step.value(*x), step.value(*y))).collect();
+    Arc::new(match heights {
+        Some(heights) => Formation::spatial(positions, heights.iter().map(|height| step.value(*height)).collect()),
+        None => Formation::new(positions),
+    })
+}
+
+/// On the plane at height 0, which every step represents.
+fn points_of(formation: &Formation) -> Vec<DVec3> {
+    formation.positions().iter().enumerate().map(|(agent, position)| position.extend(formation.height(agent))).collect()
 }
 
 /// Moves points, each by less than the tolerance, onto the coarsest step that represents them.
-fn settle(points: &mut [DVec2]) -> Step {
+fn settle(points: &mut [DVec3]) -> Step {
     let mut step = coarsest(points);
     loop {
         snap(step, points);
@@ -74,13 +88,13 @@ fn settle(points: &mut [DVec2]) -> Step {
     }
 }
 
-fn snap(step: Step, points: &mut [DVec2]) {
+fn snap(step: Step, points: &mut [DVec3]) {
     for point in points {
-        *point = DVec2::new(step.value(step.index(point.x)), step.value(step.index(point.y)));
+        *point = DVec3::from_array(point.to_array().map(|coordinate| step.value(step.index(coordinate))));
     }
 }
 
-fn coarsest(points: &[DVec2]) -> Step {
+fn coarsest(points: &[DVec3]) -> Step {
     let (low, high) = bounds(points);
     let mut steps = Step::catalog();
     // What 12 bits have rounded before is recognized: its step, or after that rounding moved the bounds inward, the next coarser.
@@ -88,16 +102,16 @@ fn coarsest(points: &[DVec2]) -> Step {
         steps.extend([rounded, rounded.coarser(), rounded.coarser().coarser()]);
     }
     steps.sort_by(|a, b| b.meters().total_cmp(&a.meters()));
-    let represents = |step: &Step| points.iter().all(|point| step.represents(point.x) && step.represents(point.y));
+    let represents = |step: &Step| points.iter().flat_map(DVec3::to_array).all(|coordinate| step.represents(coordinate));
     steps.into_iter().find(represents).expect("the finest step represents every coordinate")
 }
 
-fn bounds(points: &[DVec2]) -> (DVec2, DVec2) {
+fn bounds(points: &[DVec3]) -> (DVec3, DVec3) {
     let first = points.first().copied().unwrap_or_default();
     points.iter().fold((first, first), |(low, high), point| (low.min(*point), high.max(*point)))
 }
 
-fn broken(before: &[&[DVec2]], after: &[DVec2], distance: f64) -> Vec<usize> {
+fn broken(before: &[Vec<DVec3>], after: &[DVec3], distance: f64) -> Vec<usize> {
     let mut start = 0;
     let mut broken = Vec::new();
     for (index, formation) in before.iter().enumerate() {
@@ -111,7 +125,7 @@ fn broken(before: &[&[DVec2]], after: &[DVec2], distance: f64) -> Vec<usize> {
 }
 
 /// Whether two points are nearer than `distance`, as near-collisions are counted: by more than 1e-6 m.
-fn has_nearer(points: &[DVec2], distance: f64) -> bool {
+fn has_nearer(points: &[DVec3], distance: f64) -> bool {
     let limit = distance - 1e-6;
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.x.total_cmp(&b.x));

@@ -1,6 +1,6 @@
 //! The grid that a link's coordinates are integers of.
 
-use glam::DVec2;
+use glam::DVec3;
 
 use super::models::{Integer, Symbol};
 use super::range::Coder;
@@ -46,7 +46,7 @@ impl Step {
     }
 
     /// The finest step of twelve bits over a box, or none for a point.
-    pub fn rounded(low: DVec2, high: DVec2) -> Option<Self> {
+    pub fn rounded(low: DVec3, high: DVec3) -> Option<Self> {
         let extent = (high - low).max_element();
         let ideal = extent / ROUNDED_SPAN as f64;
         // Twelve bits finer than the finest of the catalog are never asked for.
@@ -98,10 +98,10 @@ impl Step {
         if COORDINATE.contains(&self.value(nearest)) { nearest } else { nearest - nearest.signum() }
     }
 
-    /// How many steps the longer side of a box takes.
-    pub fn span(self, low: DVec2, high: DVec2) -> i64 {
+    /// How many steps the longest side of a box takes.
+    pub fn span(self, low: DVec3, high: DVec3) -> i64 {
         let side = |low, high| self.index(high) - self.index(low);
-        side(low.x, high.x).max(side(low.y, high.y))
+        side(low.x, high.x).max(side(low.y, high.y)).max(side(low.z, high.z))
     }
 
     /// Whether it stands for the coordinate.
@@ -182,7 +182,7 @@ mod tests {
     #[test]
     fn a_rounded_step_spans_twelve_bits_and_wastes_few_of_them() {
         for extent in [0.01, 0.9, 1.0, 63.999, 64.0, 100.0, 131.0, 99_999.0] {
-            let (low, high) = (DVec2::new(-0.3 * extent, 0.0), DVec2::new(0.7 * extent, 0.1 * extent));
+            let (low, high) = (DVec3::new(-0.3 * extent, 0.0, 0.0), DVec3::new(0.7 * extent, 0.1 * extent, 0.0));
             let span = Step::rounded(low, high).unwrap().span(low, high);
             // One step in 64 is the widest gap between neighbors; the ends may round inward by one step.
             assert!((4030..=ROUNDED_SPAN).contains(&span), "{extent} m spans {span}");

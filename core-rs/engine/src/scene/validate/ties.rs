@@ -1,5 +1,7 @@
 //! Ties and cuts: pairs that exist, once each, and not too many when groups are expanded.
 
+use std::collections::BTreeSet;
+
 use super::{at_most, within};
 use crate::adjacency::{AdjacencySpec, COMPLETE_GROUP_LIMIT, GroupTie, TooManyTies, expanded_tie_count};
 use crate::error::{Counted, Error};
@@ -11,15 +13,16 @@ pub(super) fn check(scene: &Scene) -> Result<(), Error> {
     let track = scene.main_track();
     let agent_count = track.agents.len();
     let top = Place::Top;
-    lists(&scene.adjacency, agent_count, &top.field("adjacency"))?;
+    let counts = Counts { agents: agent_count, obstacles: scene.obstacles.len() };
+    lists(&scene.adjacency, &counts, &top.field("adjacency"))?;
     let group_ties = GroupTies::of(&scene.groups);
     let mut ties_in_all = 0;
     for (index, keyframe) in track.keyframes.iter().enumerate() {
         if let Some(own) = &keyframe.adjacency {
-            lists(own, agent_count, &top.field("keyframes").item(index).field("adjacency"))?;
+            lists(own, &counts, &top.field("keyframes").item(index).field("adjacency"))?;
         }
         let spec = keyframe.adjacency.as_ref().unwrap_or(&scene.adjacency);
-        let count = group_ties.count_with(&keyframe.positions, spec);
+        let count = group_ties.count_with(&keyframe.positions, spec) + spec.obstacle_ties.len();
         if count > limits::TIES_PER_KEYFRAME {
             return Err(Error::TooManyTies { keyframe: index, count, limit: limits::TIES_PER_KEYFRAME });
         }
@@ -30,19 +33,46 @@ pub(super) fn check(scene: &Scene) -> Result<(), Error> {
     Ok(())
 }
 
-fn lists(spec: &AdjacencySpec, agent_count: usize, place: &Place) -> Result<(), Error> {
+/// What ties may name.
+struct Counts {
+    agents: usize,
+    obstacles: usize,
+}
+
+fn lists(spec: &AdjacencySpec, counts: &Counts, place: &Place) -> Result<(), Error> {
     let (ties, cuts) = (place.field("ties"), place.field("cuts"));
     at_most(spec.ties.len(), limits::TIES_PER_KEYFRAME, Counted::Ties, ties)?;
     at_most(spec.cuts.len(), limits::CUTS, Counted::Cuts, cuts)?;
     for (index, &(a, b, factor)) in spec.ties.iter().enumerate() {
-        pair(a, b, agent_count, &ties.item(index))?;
+        pair(a, b, counts.agents, &ties.item(index))?;
         within(factor, &limits::FACTOR, ties.item(index))?;
     }
     for (index, &(a, b)) in spec.cuts.iter().enumerate() {
-        pair(a, b, agent_count, &cuts.item(index))?;
+        pair(a, b, counts.agents, &cuts.item(index))?;
     }
     once(spec.ties.iter().map(|&(a, b, _)| (a, b)), &ties)?;
-    once(spec.cuts.iter().copied(), &cuts)
+    once(spec.cuts.iter().copied(), &cuts)?;
+    obstacle_ties(&spec.obstacle_ties, counts, &place.field("obstacleTies"))
+}
+
+fn obstacle_ties(ties: &[(u32, u32, f64)], counts: &Counts, place: &Place) -> Result<(), Error> {
+    at_most(ties.len(), limits::TIES_PER_KEYFRAME, Counted::Ties, place)?;
+    let mut seen = BTreeSet::new();
+    for (index, &(agent, obstacle, factor)) in ties.iter().enumerate() {
+        let place = place.item(index);
+        let (agent_count, obstacle_count) = (counts.agents, counts.obstacles);
+        if agent as usize >= agent_count {
+            return Err(Error::UnknownAgent { agent, agent_count, place: place.to_string() });
+        }
+        if obstacle as usize >= obstacle_count {
+            return Err(Error::UnknownObstacle { obstacle, obstacle_count, place: place.to_string() });
+        }
+        within(factor, &limits::FACTOR, place)?;
+        if !seen.insert((agent, obstacle)) {
+            return Err(Error::RepeatedObstacleTie { agent, obstacle, place: place.to_string() });
+        }
+    }
+    Ok(())
 }
 
 fn pair(a: u32, b: u32, agent_count: usize, place: &Place) -> Result<(), Error> {

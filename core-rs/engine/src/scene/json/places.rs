@@ -1,0 +1,85 @@
+//! Places in a scene file: where agents stand and what they go around.
+
+use glam::DVec2;
+use serde::Deserialize;
+
+use super::fields::Fields;
+use super::value::Value;
+use crate::error::{Counted, Error};
+use crate::formation::Formation;
+use crate::obstacle::ObstacleShape;
+use crate::scene::{Obstacle, limits};
+
+const OBSTACLE: &[&str] = &["name", "kind", "center", "radius", "points"];
+const CIRCLE: &[&str] = &["name", "kind", "center", "radius"];
+const POLYGON: &[&str] = &["name", "kind", "points"];
+
+#[derive(Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Kind {
+    Circle,
+    Polygon,
+}
+
+/// A position: two numbers, and in space a third.
+struct Spot {
+    position: DVec2,
+    height: Option<f64>,
+}
+
+/// The positions of a keyframe. All positions of a scene have as many numbers as the first, which sets `dimensions`.
+pub(super) fn formation(keyframe: &Fields, dimensions: &mut Option<usize>) -> Result<Formation, Error> {
+    let mut heights = Vec::new();
+    let positions = keyframe.list("positions", limits::AGENTS, Counted::Agents, |value| {
+        let Spot { position, height } = spot(value)?;
+        let found = if height.is_some() { 3 } else { 2 };
+        let expected = *dimensions.get_or_insert(found);
+        if found != expected {
+            return Err(Error::MixedDimensions { found, expected, place: value.place.to_string() });
+        }
+        heights.extend(height);
+        Ok(position)
+    })?;
+    Ok(if heights.is_empty() { Formation::new(positions) } else { Formation::spatial(positions, heights) })
+}
+
+/// One obstacle; which fields it has depends on its kind.
+pub(super) fn obstacle(value: Value) -> Result<Obstacle, Error> {
+    let kind: Kind = value.fields(OBSTACLE)?.required("kind")?.word(&[])?;
+    let fields = value.object(match kind {
+        Kind::Circle => CIRCLE,
+        Kind::Polygon => POLYGON,
+    })?;
+    let shape = match kind {
+        Kind::Circle => ObstacleShape::Circle { center: point(fields.required("center")?)?, radius: fields.required("radius")?.number()? },
+        Kind::Polygon => {
+            fields.required("points")?;
+            ObstacleShape::Polygon { points: fields.list("points", *limits::CORNERS.end(), Counted::Corners, point)? }
+        }
+    };
+    Ok(Obstacle { name: fields.string("name")?, shape })
+}
+
+/// An entry of a short list that is named as a whole.
+pub(super) fn entry<'a, 'p>(list: &Value<'_, 'p>, text: &'a str) -> Value<'a, 'p> {
+    Value { text, place: list.place }
+}
+
+fn spot(value: Value) -> Result<Spot, Error> {
+    const SHAPE: &str = "[x, y] or [x, y, z], numbers in meters";
+    // The short way for what is right; the long way says what is wrong.
+    if let Ok(position) = serde_json::from_str(value.text) {
+        return Ok(Spot { position: DVec2::from_array(position), height: None });
+    }
+    let number = |text| entry(&value, text).number();
+    if let Ok([x, y, z]) = value.exactly(SHAPE) {
+        return Ok(Spot { position: DVec2::new(number(x)?, number(y)?), height: Some(number(z)?) });
+    }
+    let [x, y] = value.exactly(SHAPE)?;
+    Ok(Spot { position: DVec2::new(number(x)?, number(y)?), height: None })
+}
+
+fn point(value: Value) -> Result<DVec2, Error> {
+    let [x, y] = value.exactly("[x, y], two numbers in meters")?;
+    Ok(DVec2::new(entry(&value, x).number()?, entry(&value, y).number()?))
+}

@@ -1,0 +1,57 @@
+//! Links are for ever: what a version has written, every later one reads, and writes again.
+
+use eigenform::scene::link::{Precision, decode, encode};
+use eigenform::scene::read_json;
+
+const PLAIN: &str = r#"{ "format": "eigenform", "version": 1, "keyframes": [{ "positions": [[0, 0], [1.5, -2], [3, 4.25]] }] }"#;
+
+/// Every field of the first format differs from its default.
+const RICH: &str = r##"{
+  "format": "eigenform", "version": 1, "title": "Opener", "seed": 7, "frameRate": 25, "minimumDistance": 0.5,
+  "stage": { "width": 40, "depth": 20, "height": 3, "backdrop": "soccer", "units": "yd" },
+  "tempo": { "beatsPerMinute": 96, "beatsPerBar": 3, "start": 0.25 },
+  "agents": [{ "name": "T1", "color": "#ff8800" }, { "name": "T2", "radius": 0.4 }, { "name": "Ada" }, { "name": "Zoë", "color": "#00AA11" }],
+  "groups": [
+    { "name": "Band", "tieWeight": 10, "children": [{ "name": "Brass", "color": "#123456", "members": [1, 0] }] },
+    { "members": [3] }
+  ],
+  "adjacency": { "weights": "unit", "ties": [[0, 3, 2], [1, 2, 0.5]], "cuts": [[0, 2]] },
+  "keyframes": [
+    { "name": "Block", "hold": 1.5, "positions": [[0, 0], [1.143, 0], [0, 1.143], [1.143, 1.143]] },
+    { "time": 4, "positions": [[5, 5], [-5, 5], [-5, -5], [5, -5]], "adjacency": { "base": "none", "ties": [[0, 1, 100]] } },
+    { "time": 9.75, "hold": 2, "positions": [[0.1234567, 1], [2, 3], [4, 5], [6, 7.7654321]] }
+  ],
+  "segments": [
+    { "method": "spectral", "order": "hungarian", "alignment": "procrustes", "sharing": 0.25, "keepSize": true, "timing": "linear" },
+    { "chosen": { "method": "polar", "sharing": 1 } }
+  ]
+}"##;
+
+/// The scene has this link, and the link is that of the scene it opens.
+fn check(scene: &str, precision: Precision, link: &str) {
+    let scene = read_json(scene).expect("a scene");
+    assert_eq!(encode(&scene, precision).fragment, link);
+    let opened = decode(link).expect("a link of an earlier version opens");
+    assert_eq!(encode(&opened, precision).fragment, link);
+}
+
+#[test]
+fn the_links_of_the_first_format_stay_what_they_were() {
+    let plain = "#s=1.C0-PVARJPkjbP8PUW6rGEQ";
+    check(PLAIN, Precision::Exact, plain);
+    check(PLAIN, Precision::Short, plain);
+    assert_eq!(decode(plain), read_json(PLAIN));
+    check(
+        RICH,
+        Precision::Exact,
+        "#s=1.tgEY-zxnAT3hEADO63nN6SCj2ARIwB4esawMHwAPDb2owRqM4NP4NahXQJRof-etBiar37CQAAq4ppUACGuF8Gb-h9ORECelTXgWeo4F3AVwUzqQbvHMrONr\
+         jcLEnaYxubktUXdmEVSBlR_FS3Me8rowDLHCLdY5meRjlj1CTzEVklulEogYzemkWYKIQQ-vIen5d2d2BS80FfSYRECg0kDPQNk4ifxtluT1ltNuPocYGA59_0w8wL\
+         yX50E",
+    );
+    check(
+        RICH,
+        Precision::Short,
+        "#s=1.pgE-FTFpAT3hEADO63nN6SCj2ARIwB4esawMHwAPDb2owRqM4NhVVBQ1qFdAlGh_560GJq2rjkABowdDNwxukSefOpl2iO8vyAlOt9MyX5hfq3ZhOIvlL14B\
+         5sVvCuALLjTY-YpSCth35PI6QR7yKBirILVSAUq2VOAWGgUKcXYhaxXRTjv2PYx0mPGbhKZBtAQFvGHSeqiox3ufG73xCtJEPExD6tt_atXMZA",
+    );
+}
