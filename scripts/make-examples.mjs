@@ -3,11 +3,23 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, writeFileSync } from "node:fs";
 import { band } from "./examples/band.mjs";
 import { fieldShow } from "./examples/field-show.mjs";
-import { aligned, fourAroundOne, gridToRing, rotatedCopy, threeBlocks } from "./examples/figures.mjs";
+import { gridToRing, threeBlocks } from "./examples/figures.mjs";
 import { flower } from "./examples/flower.mjs";
 import { starToRings } from "./examples/large.mjs";
+import {
+  aligned,
+  clusters,
+  fourAroundOne,
+  polarOrSpectral,
+  rotatedCopy,
+  sixModes,
+  smallAndLarge,
+  winding,
+} from "./examples/pairs.mjs";
 import { previewOf, sampleTimes } from "./examples/preview.mjs";
+import { offsideTrap } from "./examples/soccer.mjs";
 import { sceneText } from "./examples/text.mjs";
+import { thousand } from "./examples/thousand.mjs";
 import { main, root, step } from "./steps/run.mjs";
 
 /** By file name; `cover` is the transition that the gallery shows. */
@@ -18,9 +30,16 @@ const EXAMPLES = {
   "star-to-five-rings": { make: starToRings, cover: 1 },
   "three-blocks": { make: threeBlocks, cover: 1 },
   "grid-to-ring": { make: gridToRing, cover: 0 },
-  "four-around-one": { make: fourAroundOne, cover: 2 },
-  "rotated-copy": { make: rotatedCopy, cover: 1 },
+  thousand: { make: thousand, cover: 1 },
+  "six-modes": { make: sixModes, cover: 0 },
+  "rotated-copy": { make: rotatedCopy, cover: 2 },
   alignment: { make: aligned, cover: 2 },
+  "polar-or-spectral": { make: polarOrSpectral, cover: 2 },
+  "four-around-one": { make: fourAroundOne, cover: 2 },
+  "small-and-large": { make: smallAndLarge, cover: 1 },
+  winding: { make: winding, cover: 0 },
+  clusters: { make: clusters, cover: 2 },
+  "offside-trap": { make: offsideTrap, cover: 2 },
 };
 
 const folder = `${root}/public/examples`;

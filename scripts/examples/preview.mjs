@@ -43,9 +43,14 @@ export function previewOf(scene, { times, positions }) {
 
 function colorsOf(scene, agentCount) {
   const colors = new Array(agentCount).fill(UNGROUPED);
-  for (const [index, group] of (scene.groups ?? []).entries()) {
-    for (const agent of group.members) colors[agent] = group.color ?? GROUP_COLORS[index % GROUP_COLORS.length];
-  }
+  const color = (groups, inherited) => {
+    for (const [index, group] of groups.entries()) {
+      const own = group.color ?? inherited ?? GROUP_COLORS[index % GROUP_COLORS.length];
+      for (const agent of group.members ?? []) colors[agent] = own;
+      color(group.children ?? [], own);
+    }
+  };
+  color(scene.groups ?? []);
   for (const [index, agent] of (scene.agents ?? []).entries()) if (agent.color) colors[index] = agent.color;
   return colors;
 }

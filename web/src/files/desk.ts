@@ -62,15 +62,17 @@ export function createDesk({ document, engine, planner, messages, intake, addres
       async openExample({ id, title }) {
         try {
           const opened = await intake.read(await readExample(id), title);
-          if (!opened) return;
+          if (!opened) return false;
           openScene(document, opened.scene, `Open ${title}`);
           onExample();
+          return true;
         } catch (error) {
           messages.say({
             tone: "problem",
             title: `${title} was not opened.`,
             text: sentence(problemFrom(error)),
           });
+          return false;
         }
       },
       saveFile,

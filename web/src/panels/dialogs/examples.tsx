@@ -1,14 +1,29 @@
 import "./dialogs.css";
 import "./examples.css";
+import { useStudio } from "../studio";
 import { ExampleTile } from "./example-tile";
 import { Frame } from "./frame";
 import type { DialogProps } from "./host";
+import type { ExampleCard, ExampleView } from "./services";
 import { useAnswer } from "./use-answer";
 
-/** Scenes to start from, each shown in motion. */
+/** Scenes to start from, each shown in motion, and what some of them are best looked at with. */
 export function ExamplesDialog({ services, dialogs }: DialogProps) {
+  const { document, aside } = useStudio();
   const examples = useAnswer(services.loadExamples);
   const previews = useAnswer(services.loadPreviews);
+
+  async function open(example: ExampleCard, view?: ExampleView): Promise<void> {
+    dialogs.close();
+    const isOpen = await services.openExample(example);
+    if (!isOpen || !view) return;
+    if (view.kind === "compare") dialogs.show(view);
+    else {
+      document.selection.value = { kind: "transition", index: view.segment };
+      aside.value = { kind: "modes" };
+    }
+  }
+
   return (
     <Frame
       title="Start from an example"
@@ -21,21 +36,45 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
           The pictures could not be loaded: {previews.problem.what}
         </p>
       )}
-      <ul class="gallery">
-        {(examples.kind === "here" ? examples.value : []).map((example, index) => (
-          <li key={example.id}>
-            <ExampleTile
-              example={example}
-              isFirst={index === 0}
-              preview={(previews.kind === "here" && previews.value.get(example.id)) || null}
-              onOpen={() => {
-                dialogs.close();
-                void services.openExample(example);
-              }}
-            />
-          </li>
-        ))}
-      </ul>
+      {sectionsOf(examples.kind === "here" ? examples.value : []).map(([section, cards], place) => (
+        <section key={section} class="gallery-section" aria-label={section}>
+          <h3>{section}</h3>
+          <ul class="gallery">
+            {cards.map((example, index) => (
+              <li key={example.id}>
+                <ExampleTile
+                  example={example}
+                  isFirst={place === 0 && index === 0}
+                  preview={(previews.kind === "here" && previews.value.get(example.id)) || null}
+                  onOpen={() => void open(example)}
+                />
+                {example.view && (
+                  <button
+                    type="button"
+                    class="button example-view"
+                    aria-label={`${VIEW_WORDS[example.view.kind]}: ${example.title}`}
+                    onClick={() => void open(example, example.view)}
+                  >
+                    {VIEW_WORDS[example.view.kind]}
+                  </button>
+                )}
+              </li>
+            ))}
+          </ul>
+        </section>
+      ))}
     </Frame>
   );
+}
+
+const VIEW_WORDS: Readonly<Record<ExampleView["kind"], string>> = {
+  compare: "Compare both ways",
+  modes: "See its modes",
+};
+
+/** Cards by section, in the order in which the sections first occur. */
+function sectionsOf(cards: readonly ExampleCard[]): [section: string, cards: ExampleCard[]][] {
+  const sections = new Map<string, ExampleCard[]>();
+  for (const card of cards) sections.set(card.section, [...(sections.get(card.section) ?? []), card]);
+  return [...sections];
 }

@@ -1,12 +1,24 @@
 import type { Scene } from "../../document/scene";
 
+/** Where the gallery lists an example. */
+export type ExampleSection = "Shows" | "The paper's figures" | "Three dimensions";
+
+/** What an example is best looked at with, beside being played. */
+export type ExampleView =
+  /** Two of its transitions, which do the same in two ways. */
+  | { readonly kind: "compare"; readonly segments: readonly [left: number, right: number] }
+  /** The modes at both ends of one of its transitions. */
+  | { readonly kind: "modes"; readonly segment: number };
+
 /** An example as the gallery lists it; `id` names its file. */
 export interface ExampleCard {
   readonly id: string;
+  readonly section: ExampleSection;
   readonly title: string;
   readonly description: string;
   readonly agentCount: number;
   readonly keyframeCount: number;
+  readonly view?: ExampleView;
 }
 
 /** One transition of an example, small enough to load with the gallery. */
@@ -30,7 +42,8 @@ export interface DialogServices {
   loadExamples(): Promise<readonly ExampleCard[]>;
   /** By example id. */
   loadPreviews(): Promise<ReadonlyMap<string, Preview>>;
-  openExample(example: ExampleCard): Promise<void>;
+  /** Answers whether it is open; if not, the person has been told why. */
+  openExample(example: ExampleCard): Promise<boolean>;
   /** Hands the person a file named after the scene. */
   saveFile(ending: string, text: string, type: string): void;
 }

@@ -1,0 +1,134 @@
+//! The scenes of the gallery: each opens and plays, and each pair shows in numbers what it is there to show.
+
+use std::fs;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use eigenform::perform::{Performed, Performer, perform};
+use eigenform::scene::{Scene, open};
+
+fn folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../public/examples")
+}
+
+fn example(id: &str) -> Scene {
+    let path = folder().join(format!("{id}.eigenform.json"));
+    let text = fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    open(&text).unwrap_or_else(|error| panic!("{id}: {error}")).scene
+}
+
+/// The first and the third transition, which do the same in two ways.
+fn pair(id: &str) -> [Arc<Performed>; 2] {
+    let scene = example(id);
+    let performance = perform(&scene).unwrap_or_else(|error| panic!("{id}: {error}"));
+    [performance.segments()[0].clone(), performance.segments()[2].clone()]
+}
+
+fn clearance(performed: &Performed) -> f64 {
+    performed.measures.clearance.expect("there are several agents").distance
+}
+
+#[test]
+fn every_scene_opens() {
+    let entries = fs::read_dir(folder()).expect("there are examples").map(|entry| entry.expect("the folder can be read").path());
+    let mut count = 0;
+    for path in entries.filter(|path| path.to_string_lossy().ends_with(".eigenform.json")) {
+        let text = fs::read_to_string(&path).expect("scenes are text");
+        let opened = open(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        assert!(opened.scene.main_track().segments.len() == opened.scene.main_track().keyframes.len() - 1);
+        assert!(!opened.scene.title.is_empty());
+        count += 1;
+    }
+    assert!(count >= 16, "{count} examples");
+}
+
+#[test]
+fn figure_2_is_bisected_by_three_cuts() {
+    let scene = example("six-modes");
+    let mut performer = Performer::default();
+    let adjacency = performer.graph(&scene, 0).expect("six agents are tied");
+    let basis = performer.eigenbasis(&scene, 0).expect("six agents have modes");
+    let first = basis.modes().col(0);
+    let cut = adjacency.ties().iter().filter(|tie| first[tie.a as usize] * first[tie.b as usize] < 0.0).count();
+    assert_eq!((cut, adjacency.ties().len()), (3, 9));
+}
+
+#[test]
+fn figure_3_straight_ways_shrink_what_polar_ways_turn_as_one() {
+    let [straight, polar] = pair("rotated-copy");
+    assert!(straight.measures.distortion.max > 0.5);
+    assert!(straight.measures.rms_radius.min < 0.5 * straight.measures.rms_radius.max);
+    // Rigid up to the rounding of both formations to 5 cm in 15 m.
+    assert!(polar.measures.distortion.max < 0.02);
+}
+
+#[test]
+fn figure_4_without_the_alignment_agents_go_the_other_way_around() {
+    let [without, with] = pair("alignment");
+    assert!(without.measures.distortion.mean > 5.0 * with.measures.distortion.mean);
+    assert!(clearance(&without) < 0.5 && clearance(&with) > 2.0);
+}
+
+#[test]
+fn figure_5_who_passes_the_middle_winds_in_polar_coordinates_only() {
+    let [polar, spectral] = pair("polar-or-spectral");
+    assert!(polar.measures.path_length.max > 1.3 * spectral.measures.path_length.max);
+    assert!(clearance(&spectral) > 3.0 * clearance(&polar));
+}
+
+#[test]
+fn figure_6_ties_of_ten_keep_four_around_one() {
+    let [loose, tied] = pair("four-around-one");
+    assert!(loose.measures.distortion.mean > 3.0 * tied.measures.distortion.mean);
+    assert!(clearance(&loose) < 0.5 && clearance(&tied) > 2.0);
+}
+
+#[test]
+fn figure_7_a_small_change_leaves_the_modes_in_their_order_and_a_large_one_does_not() {
+    let scene = example("small-and-large");
+    let mut performer = Performer::default();
+    let mut alike = |segment: usize, order: usize| {
+        let matched = performer.mode_match(&scene, segment).expect("both ends have modes");
+        let amount = |(source, target): (usize, &usize)| matched.amounts[source * matched.mode_count + target];
+        matched.targets[order].iter().enumerate().map(amount).sum::<f64>() / matched.mode_count as f64
+    };
+    let [by_eigenvalue, greedy] = [0, 1];
+    assert!(alike(0, by_eigenvalue) > 0.9);
+    assert!(alike(1, by_eigenvalue) < 0.75 * alike(1, greedy));
+}
+
+#[test]
+fn figure_8_modes_paired_by_eigenvalue_wind_the_paths() {
+    let [by_eigenvalue, by_likeness] = pair("winding");
+    assert!(by_eigenvalue.measures.path_length.mean > 3.0 * by_likeness.measures.path_length.mean);
+}
+
+#[test]
+fn figure_9_clusters_stay_whole_on_spectral_ways_only() {
+    let [straight, spectral] = pair("clusters");
+    assert!(straight.measures.distortion.mean > 5.0 * spectral.measures.distortion.mean);
+    assert!(clearance(&straight) < 0.5 && clearance(&spectral) > 0.9);
+}
+
+#[test]
+fn figure_10_the_last_defenders_stand_level_once_the_trap_is_mended() {
+    let scene = example("offside-trap");
+    let keyframes = &scene.main_track().keyframes;
+    let attack: Vec<usize> = (0..6).collect();
+    let line: Vec<usize> = (9..13).collect();
+    let furthest =
+        |keyframe: usize, agents: &[usize]| agents.iter().map(|a| keyframes[keyframe].positions.positions()[*a].x).fold(f64::MIN, f64::max);
+    assert!(furthest(1, &attack) < furthest(1, &line), "onside where the trap fails");
+    assert!(furthest(3, &attack) > furthest(3, &line), "offside where it holds");
+    let [failing, mended] = pair("offside-trap");
+    assert!(clearance(&failing) > 0.5 && clearance(&mended) > 0.5);
+}
+
+#[test]
+fn figure_11_has_three_levels_of_groups() {
+    let scene = example("thousand");
+    assert_eq!((scene.main_track().agents.len(), scene.main_track().keyframes.len()), (1260, 4));
+    assert_eq!(scene.groups.len(), 35);
+    assert!(scene.groups.iter().all(|group| group.children.len() == 6));
+    assert!(scene.groups.iter().flat_map(|group| &group.children).all(|part| part.members.len() == 6));
+}
