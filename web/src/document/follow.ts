@@ -44,6 +44,8 @@ export function followSelection(before: Scene, after: Scene, selection: Selectio
       return followIndex(old.keyframes, now.keyframes, { kind: "keyframe", index: selection.index });
     case "transition":
       return followIndex(old.segments, now.segments, selection);
+    case "obstacle":
+      return followIndex(before.obstacles, after.obstacles, selection);
   }
 }
 

@@ -16,6 +16,8 @@ export const LIMITS = {
   frameRate: { min: 1, max: 120 },
   factor: { min: 1e-6, max: 1e6 },
   ties: 50_000,
+  obstacles: 200,
+  obstaclePoints: 200,
 } as const;
 
 /** Seconds between the end of a keyframe and the next, at least. */

@@ -8,6 +8,7 @@ export type Selection =
   | { readonly kind: "group"; readonly path: GroupPath }
   /** With `anchor`: the run of keyframes between the two, `index` the end that moves. */
   | { readonly kind: "keyframe"; readonly index: number; readonly anchor?: number }
-  | { readonly kind: "transition"; readonly index: number };
+  | { readonly kind: "transition"; readonly index: number }
+  | { readonly kind: "obstacle"; readonly index: number };
 
 export const NOTHING: Selection = { kind: "none" };

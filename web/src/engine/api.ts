@@ -57,17 +57,28 @@ export interface Candidate extends Choice {
   readonly isChosen: boolean;
 }
 
+/** How near two agents come, and when. */
+export interface Approach {
+  /** Meters. */
+  readonly distance: number;
+  /** Scene seconds. */
+  readonly time: number;
+  readonly agents: readonly [number, number];
+}
+
 /** The measures of one transition (units as on the command line: m, s, rad). */
 export interface SegmentReport {
   readonly choice: Choice;
   readonly distortion: Extreme;
   readonly turning: Extreme;
-  /** `time` in scene seconds. */
-  readonly clearance: {
-    readonly distance: number;
-    readonly time: number;
-    readonly agents: readonly [number, number];
-  } | null;
+  /** The nearest that anybody comes to another; null for fewer than two agents. */
+  readonly clearance: Approach | null;
+  /** Before avoidance; absent without it, as the two below. */
+  readonly guideClearance?: Approach | null;
+  /** How far avoidance moves agents from the method's own motion, meters. */
+  readonly deviation?: Extreme;
+  /** Meetings that avoidance leaves too near; empty when it is proved that there are none. */
+  readonly unsolved?: readonly Approach[];
   readonly nearCollisions: number;
   readonly pathLength: Extreme;
   readonly topSpeed: { readonly speed: number; readonly time: number; readonly agent: number };

@@ -1,4 +1,5 @@
-import { mainTrack, type Scene } from "../document/scene";
+import { mainTrack, type Scene, type Segment } from "../document/scene";
+import { isStop } from "../document/stops";
 
 /** All that a result depends on, by identity: equal inputs, same result. */
 export type Inputs = readonly unknown[];
@@ -12,19 +13,36 @@ export function tieInputs(scene: Scene, keyframe: number): Inputs {
   return [at?.positions, at?.adjacency ?? scene.adjacency, scene.groups];
 }
 
+/**
+ * A transition's two keyframes and, where the agents pass them without a stop, those beyond: one on either side, two
+ * where bases may be shared. So one moved agent changes two transitions, or four, or six.
+ */
 export function segmentInputs(scene: Scene, segment: number): Inputs {
-  const { keyframes, segments } = mainTrack(scene);
-  const from = keyframes[segment];
-  const to = keyframes[segment + 1];
-  return [
-    ...tieInputs(scene, segment),
-    ...tieInputs(scene, segment + 1),
-    segments[segment],
-    from && from.time + from.hold,
-    to?.time,
-    scene.frameRate,
-    scene.minimumDistance,
-  ];
+  const track = mainTrack(scene);
+  const passes = (keyframe: number) => !isStop(track, scene.join, keyframe);
+  const beside = [passes(segment) ? segment - 1 : null, passes(segment + 1) ? segment + 1 : null];
+  const specs = [segment, ...beside].map((index) => (index === null ? null : track.segments[index]));
+  const reach = scene.join === "smooth" && specs.some((spec) => spec && mayShare(spec)) ? 2 : 1;
+  let [first, last] = [segment, segment + 1];
+  for (let step = 0; step < reach; step += 1) {
+    if (passes(first)) first -= 1;
+    if (passes(last)) last += 1;
+  }
+  const inputs: unknown[] = [...specs, scene.frameRate, scene.minimumDistance, scene.obstacles];
+  for (let keyframe = first; keyframe <= last; keyframe += 1) {
+    const { time = 0, hold = 0 } = track.keyframes[keyframe] ?? {};
+    // When the first and the last were reached and left does not matter, only how long it takes from one to the next.
+    const moments = [keyframe > first ? time : null, keyframe < last ? time + hold : null];
+    inputs.push(...tieInputs(scene, keyframe), ...moments);
+  }
+  if (last - first > 1) inputs.push(scene.join, scene.tension);
+  return inputs;
+}
+
+/** Whether a transition's bases may move toward those of the keyframes beside. */
+function mayShare({ method, sharing, chosen }: Segment): boolean {
+  const choice = method === "auto" ? chosen : { method, sharing };
+  return choice === null || (choice.method === "spectral" && choice.sharing > 0);
 }
 
 /** Segments by their distance from `time`, nearest first. */

@@ -2,6 +2,7 @@ import { computed } from "@preact/signals";
 import { deleteAgents, duplicateAgents, moveAgents } from "../document/commands/agents";
 import { dissolveGroup } from "../document/commands/groups";
 import { deleteKeyframe } from "../document/commands/keyframes";
+import { deleteObstacle } from "../document/commands/obstacles";
 import { cutTie, WHOLE_SCENE } from "../document/commands/ties";
 import type { Point } from "../document/formation";
 import { mostAgents } from "../document/limits";
@@ -89,6 +90,11 @@ function deleteSelected({ document, messages }: ActionParts): void {
     case "group":
       document.perform(dissolveGroup(selection.path));
       messages.announce("Group dissolved");
+      return;
+    case "obstacle":
+      document.perform(deleteObstacle(selection.index));
+      document.selection.value = NOTHING;
+      messages.announce("Obstacle deleted");
       return;
     case "keyframe":
       if (mainTrack(scene).keyframes.length > 1) document.perform(deleteKeyframe(selection.index));

@@ -13,7 +13,8 @@ export function showOf(studio: Studio): ReadonlySignal<Show> {
       const motions = studio.planner.segments.value.map((planning) =>
         planning.kind === "ready" ? planning.plan.motion : null,
       );
-      return new Show(mainTrack(studio.document.scene.value), motions);
+      const scene = studio.document.scene.value;
+      return new Show(mainTrack(scene), motions, scene.join);
     });
     shows.set(studio, show);
   }

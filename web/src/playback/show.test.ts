@@ -64,7 +64,8 @@ describe("show", () => {
 
   it("without a motion they walk straight, with the segment's timing", () => {
     expect(at(show, 5)).toEqual([2, 0, 1, 4]);
-    expect(at(show, 7.5)).toEqual([4, 4 * eased("smooth", 0.25), 1, 8 - 8 * eased("smooth", 0.25)]);
+    const t = eased("smooth", 0.25, true, true);
+    expect(at(show, 7.5)).toEqual([4, 4 * t, 1, 8 - 8 * t]);
   });
 
   it("a planned motion is played", () => {
@@ -91,4 +92,19 @@ describe("show", () => {
     expect(at(single, 50)).toEqual([0, 0, 1, 0]);
     expect(single.duration).toBe(3);
   });
+});
+
+it.each([
+  ["stands at both ends that are stops", true, true, 0, 0],
+  ["runs on through an end that is none", true, false, 0, 1],
+  ["comes in at full speed", false, true, 1, 0],
+  ["is even where nobody stops", false, false, 1, 1],
+])("smooth timing %s", (_, before, after, startSpeed, endSpeed) => {
+  const at = (t: number) => eased("smooth", t, before, after);
+  const step = 1e-6;
+  expect(at(0)).toBe(0);
+  expect(at(1)).toBe(1);
+  // A difference over such a step is off by half of it times the curvature, which is 6 at most.
+  expect(at(step) / step).toBeCloseTo(startSpeed, 4);
+  expect((1 - at(1 - step)) / step).toBeCloseTo(endSpeed, 4);
 });

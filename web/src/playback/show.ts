@@ -1,4 +1,5 @@
-import type { Keyframe, Timing, Track } from "../document/scene";
+import type { Join, Keyframe, Timing, Track } from "../document/scene";
+import { isStop } from "../document/stops";
 import type { SegmentMotion } from "./motion";
 
 /** Round-off allowed between a keyframe's time and its motion's end, seconds. */
@@ -18,6 +19,7 @@ export class Show {
   constructor(
     private readonly track: Track,
     motions: readonly (SegmentMotion | null)[],
+    private readonly join: Join = "separate",
   ) {
     this.agentCount = track.keyframes[0]?.positions.agentCount ?? 0;
     this.duration = showDuration(track);
@@ -80,7 +82,9 @@ export class Show {
     const to = this.track.keyframes[segment + 1]?.positions.xy;
     if (!from || !to) return;
     const start = this.startOf(segment);
-    const t = eased(this.track.segments[segment]?.timing ?? "linear", (time - start) / (this.endOf(segment) - start));
+    const timing = this.track.segments[segment]?.timing ?? "linear";
+    const share = (time - start) / (this.endOf(segment) - start);
+    const t = eased(timing, share, isStop(this.track, this.join, segment), isStop(this.track, this.join, segment + 1));
     for (let k = 0; k < from.length; k += 1) {
       const a = from[k] ?? 0;
       out[k] = a + ((to[k] ?? 0) - a) * t;
@@ -101,9 +105,11 @@ export function showDuration(track: Track): number {
   return departure(track.keyframes[track.keyframes.length - 1]);
 }
 
-/** The parameter at share `t` of a segment's time. */
-export function eased(timing: Timing, t: number): number {
-  return timing === "smooth" ? t * t * (3 - 2 * t) : t;
+/** The parameter at share `t` of a segment's time: smooth timing eases where the agents stop. */
+export function eased(timing: Timing, t: number, stopsBefore: boolean, stopsAfter: boolean): number {
+  if (timing !== "smooth" || (!stopsBefore && !stopsAfter)) return t;
+  if (!stopsAfter) return t * t * (2 - t);
+  return stopsBefore ? t * t * (3 - 2 * t) : t * (1 + t - t * t);
 }
 
 function departure(keyframe: Keyframe | undefined): number {

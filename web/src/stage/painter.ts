@@ -13,6 +13,8 @@ import { createSceneryKeeper } from "./scenery";
 import { spacingAt, transitionSpacing } from "./spacing";
 import type { Subject } from "./subject";
 
+/** Most shows have nothing in the way. */
+const inTheWay = later(() => import("./layers/obstacles"));
 /** Nothing is selected at first. */
 const handiwork = later(() => import("./draw-handles"));
 
@@ -102,6 +104,11 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     const { spacing, radius } = frame;
     const context = canvases.backdrop;
     drawBackdrop(context, frame, moving.scene.stage);
+    const chosen = selection.peek();
+    const { obstacles } = moving.scene;
+    if (obstacles.length > 0) {
+      inTheWay()?.drawObstacles(context, frame, obstacles, chosen.kind === "obstacle" ? chosen.index : null);
+    }
     if (view.layers.peek().ghosts) {
       frame.look(frame.camera, frame.size, frame.density, transitionSpacing(moving.track, onion.segment));
       if (onion.from) drawGhosts(context, frame, onion.from.xy);

@@ -32,6 +32,9 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   const { track, show } = subject;
   const agents = computed(() => track.value.agents);
   const groups = computed(() => scene.value.groups);
+  const obstacles = computed(() => scene.value.obstacles);
+  /** The obstacle that is selected. */
+  const chosen = computed(() => (selection.value.kind === "obstacle" ? selection.value.index : null));
   const look = computed<Look | null>(() => {
     // Only agents and groups have colors and names; moving somebody keeps the cast.
     void agents.value;
@@ -87,6 +90,7 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   const stops = [
     effect(() => {
       void [view.lens.value, view.camera.value, look.value, view.layers.value, scene.value.stage];
+      void [obstacles.value, chosen.value];
       need("backdrop", "motion", "handles");
     }),
     effect(() => {

@@ -29,11 +29,12 @@ export function createSubject(
   planned: ReadonlySignal<readonly (TieList | null)[]>,
 ): Subject {
   const track = computed(() => mainTrack(scene.value));
+  const join = computed(() => scene.value.join);
   const selected = computed(() => selectedAgents(scene.value, selection.value));
   let lastTies: readonly (TieList | null)[] = [];
   return {
     track,
-    show: computed(() => new Show(track.value, segments.value.map(readyMotion))),
+    show: computed(() => new Show(track.value, segments.value.map(readyMotion), join.value)),
     lastMotions: computed(() => segments.value.map(lastMotion)),
     ties: computed(() => {
       const count = track.value.agents.length;

@@ -1,4 +1,5 @@
 import type { ReadonlySignal } from "@preact/signals";
+import { distanceTo } from "../document/obstacle";
 import { mainTrack } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { lengthWithUnit } from "../document/units";
@@ -57,6 +58,11 @@ export function createEditor(parts: ToolParts, settings: Pick<Toolbox, "shape" |
     },
     agentAt: ({ screen, pointer }) =>
       agentAt(parts.shownXy(), view.camera.peek(), screen, agentReach(radius(), pointer)),
+    obstacleAt({ at }) {
+      const { obstacles } = document.scene.peek();
+      const index = obstacles.findLastIndex(({ shape }) => distanceTo(shape, at) === 0);
+      return index < 0 ? null : index;
+    },
     tieAt({ screen, pointer }) {
       const pairs = parts.ties.peek()[document.activeKeyframe.peek()]?.pairs;
       if (!pairs) return null;

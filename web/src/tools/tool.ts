@@ -41,6 +41,7 @@ export interface Editor {
   readonly spacing: Spacing;
   readonly tieScope: "scene" | "keyframe";
   agentAt(pointing: Pointing): number | null;
+  obstacleAt(pointing: Pointing): number | null;
   tieAt(pointing: Pointing): readonly [a: number, b: number] | null;
   /** Of the box around the selected agents. */
   handleAt(pointing: Pointing): Handle | null;
@@ -59,6 +60,8 @@ export interface Editor {
 export interface Tool<State> {
   readonly start: State;
   step(state: State, event: ToolEvent, editor: Editor): State;
+  /** Enter: what is under way ends as it is, or what the tool makes is put in the middle. */
+  settle?(state: State, editor: Editor): State;
   overlay(state: State): Overlay;
   cursor(state: State): string;
 }

@@ -60,6 +60,14 @@ export function renameKeyframe(index: number, name: string): Command {
   };
 }
 
+/** A corner is a stop, although transitions join there. */
+export function setCorner(index: number, corner: boolean): Command {
+  return {
+    label: corner ? "Make a corner" : "Smooth the corner",
+    apply: (scene) => updateKeyframe(scene, index, (was) => (was.corner === corner ? was : { ...was, corner })),
+  };
+}
+
 /**
  * Bring a formation to another place in the order: those between move up, the times stay.
  *

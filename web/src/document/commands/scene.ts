@@ -1,5 +1,5 @@
 import { clipText, LIMITS, withinLimits } from "../limits";
-import type { Scene, Stage } from "../scene";
+import type { Join, Scene, Stage } from "../scene";
 import type { Command } from "../store";
 
 export function setTitle(title: string): Command {
@@ -24,6 +24,19 @@ export function setMinimumDistance(meters: number): Command {
   return {
     label: "Change minimum distance",
     apply: (scene) => (meters >= 0 && Number.isFinite(meters) ? patch(scene, { minimumDistance: meters }) : scene),
+  };
+}
+
+/** How transitions meet at keyframes where nobody stops. */
+export function setJoin(join: Join): Command {
+  return { label: "Change join", apply: (scene) => patch(scene, { join }) };
+}
+
+/** @param tension 0 as loose as possible, 1 no velocity at keyframes */
+export function setTension(tension: number): Command {
+  return {
+    label: "Change tension",
+    apply: (scene) => (tension >= 0 && tension <= 1 ? patch(scene, { tension }) : scene),
   };
 }
 

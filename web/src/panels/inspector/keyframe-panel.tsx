@@ -1,4 +1,4 @@
-import { renameKeyframe } from "../../document/commands/keyframes";
+import { renameKeyframe, setCorner } from "../../document/commands/keyframes";
 import { retimeKeyframe, setHold } from "../../document/commands/retime";
 import { dropOwnTies } from "../../document/commands/ties";
 import { barAndCount } from "../../document/counts";
@@ -13,6 +13,7 @@ import { Row } from "../controls/row";
 import { Switch } from "../controls/switch";
 import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
+import { BreachNote } from "./breach-note";
 import { Head } from "./head";
 import { instantQuantity } from "./quantities";
 import { Section } from "./section";
@@ -56,12 +57,21 @@ export function KeyframePanel({ index }: { index: number }) {
           max={LIMITS.seconds}
           onCommit={(hold) => document.perform(setHold(index, hold))}
         />
+        {scene.join !== "separate" && (
+          <Switch
+            label="Corner"
+            note="a stop on the way"
+            isOn={keyframe.corner}
+            onToggle={(isOn) => document.perform(setCorner(index, isOn))}
+          />
+        )}
         <Switch
           label="Ties of its own"
           note="else those of the whole scene"
           isOn={keyframe.adjacency !== null}
           onToggle={(isOn) => document.perform(isOn ? giveOwnTies(index) : dropOwnTies(index))}
         />
+        <BreachNote index={index} />
         <div class="inspector-buttons">
           <WordAction id="modes" class="button">
             Modes

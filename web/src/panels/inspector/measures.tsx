@@ -1,6 +1,13 @@
 import type { ComponentChildren } from "preact";
 import { agentLabel } from "../../document/queries";
-import { formatAngle, formatDuration, formatLength, formatNumber, formatTime } from "../../document/units";
+import {
+  formatAngle,
+  formatDuration,
+  formatLength,
+  formatNumber,
+  formatTime,
+  lengthWithUnit,
+} from "../../document/units";
 import type { SegmentPlan } from "../../engine/api";
 import { useStudio } from "../studio";
 import { Plot } from "./plot";
@@ -28,7 +35,20 @@ export function Measures({ plan }: { plan: SegmentPlan }) {
           plot={<Plot values={curves.clearance} {...span} limit={scene.minimumDistance} />}
           value={formatLength(clearance.distance, units)}
           unit={units}
-          worst={`at ${formatTime(clearance.time)}`}
+          worst={
+            report.guideClearance
+              ? `before ${lengthWithUnit(report.guideClearance.distance, units)}`
+              : `at ${formatTime(clearance.time)}`
+          }
+        />
+      )}
+      {report.deviation && (
+        <Measure
+          label="Deviation"
+          plot={null}
+          value={formatLength(report.deviation.mean, units)}
+          unit={units}
+          worst={`max ${formatLength(report.deviation.max, units)}`}
         />
       )}
       <Measure

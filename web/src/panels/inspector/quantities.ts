@@ -100,6 +100,9 @@ export function countsQuantity(tempo: Tempo, bounds: { min: number; max: number 
   };
 }
 
+/** How tight a smooth join is. */
+export const TENSION: Quantity = SHARING;
+
 export function wholeQuantity(min: number, max: number, unit = ""): Quantity {
   return {
     min,

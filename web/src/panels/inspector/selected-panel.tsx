@@ -4,6 +4,7 @@ import { AgentPanel } from "./agent-panel";
 import { AgentsPanel } from "./agents-panel";
 import { GroupPanel } from "./group-panel";
 import { KeyframePanel } from "./keyframe-panel";
+import { ObstaclePanel } from "./obstacle-panel";
 import { RunPanel } from "./run-panel";
 import { TiePanel } from "./tie-panel";
 import { TransitionPanel } from "./transition-panel";
@@ -26,6 +27,8 @@ export function SelectedPanel({ selection }: { selection: Selection }) {
       const run = selectedRun(selection);
       return run ? <RunPanel run={run} /> : <KeyframePanel index={selection.index} />;
     }
+    case "obstacle":
+      return <ObstaclePanel index={selection.index} />;
     case "transition":
       return <TransitionPanel index={selection.index} />;
   }

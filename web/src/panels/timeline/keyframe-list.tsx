@@ -113,6 +113,8 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
               place={place}
               isSelected={isSelected(index)}
               isFocusable={index === active}
+              minimumDistance={scene.minimumDistance}
+              isCorner={keyframe.corner && scene.join !== "separate"}
               paint={place.x + THUMBNAIL_WIDTH > from && place.x - THUMBNAIL_WIDTH < to ? paint : null}
               mark={
                 state.kind === "reordering" && state.other === index

@@ -1,6 +1,8 @@
 import type { JSX } from "preact";
 import type { Keyframe } from "../../document/scene";
 import { formatDuration } from "../../document/units";
+import { breachesOf } from "../breaches";
+import { StatusWedge } from "../status";
 import { shortTime } from "./clock";
 import type { KeyframePlace } from "./layout";
 import { placed } from "./place";
@@ -14,6 +16,10 @@ export interface KeyframeOptionProps {
   readonly place: KeyframePlace;
   readonly isSelected: boolean;
   readonly isFocusable: boolean;
+  /** Meters; 0 for none. */
+  readonly minimumDistance: number;
+  /** A stop where others pass. */
+  readonly isCorner: boolean;
   /** Null while the keyframe is far out of sight. */
   readonly paint: Pick<ThumbnailProps, "colors" | "palette"> | null;
   readonly mark: "none" | "dragged" | "target";
@@ -26,6 +32,7 @@ export interface KeyframeOptionProps {
 /** A keyframe: the formation in small at its time, drawn on to the right for as long as it holds. */
 export function KeyframeOption(props: KeyframeOptionProps) {
   const { index, name, keyframe, place, mark } = props;
+  const breachCount = breachesOf(keyframe.positions, props.minimumDistance).length;
   const hold = place.right - place.x - THUMBNAIL_WIDTH / 2;
   return (
     <div
@@ -34,14 +41,30 @@ export function KeyframeOption(props: KeyframeOptionProps) {
       role="option"
       aria-selected={props.isSelected}
       aria-label={name}
-      aria-description={`at ${shortTime(keyframe.time)}${keyframe.hold > 0 ? `, holds ${formatDuration(keyframe.hold)}` : ""}`}
+      aria-description={description(keyframe, props.isCorner, breachCount)}
       tabIndex={props.isFocusable ? 0 : -1}
       data-index={index}
       {...props.handlers}
     >
       {hold > 0 && <i ref={placed(THUMBNAIL_WIDTH, hold)} class="hold-bar" />}
+      {props.isCorner && <i class="corner-mark" />}
+      {breachCount > 0 && (
+        <i class="breach-mark">
+          <StatusWedge status="clash" />
+        </i>
+      )}
       <span class="thumbnail">{props.paint && <Thumbnail formation={keyframe.positions} {...props.paint} />}</span>
       <span class="keyframe-name">{mark === "dragged" ? shortTime(Math.round(keyframe.time * 100) / 100) : name}</span>
     </div>
   );
+}
+
+function description({ time, hold }: Keyframe, isCorner: boolean, breachCount: number): string {
+  const words = [
+    `at ${shortTime(time)}`,
+    hold > 0 ? `holds ${formatDuration(hold)}` : "",
+    isCorner ? "corner" : "",
+    breachCount > 0 ? `${breachCount} ${breachCount === 1 ? "pair stands" : "pairs stand"} too near` : "",
+  ];
+  return words.filter(Boolean).join(", ");
 }

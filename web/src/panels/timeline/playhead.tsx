@@ -1,5 +1,6 @@
 import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
+import { barAndCount } from "../../document/counts";
 import { formatTime } from "../../document/units";
 import { useStudio } from "../studio";
 import { shortTime } from "./clock";
@@ -11,10 +12,13 @@ const COARSE_STEP = 1;
 
 /** The line at the present and its pill, moved without rendering while the show runs. */
 export function Playhead({ viewport }: { viewport: Viewport }) {
-  const { playback } = useStudio();
+  const { document, playback, view } = useStudio();
   const head = useRef<HTMLDivElement>(null);
   const pill = useRef<HTMLSpanElement>(null);
-  const text = useComputed(() => formatTime(playback.time.value));
+  const text = useComputed(() => {
+    const time = playback.time.value;
+    return view.ruler.value === "counts" ? barAndCount(document.scene.value.tempo, time) : formatTime(time);
+  });
   useSignalEffect(() => {
     const x = xOf(viewport.scale.value, playback.time.value);
     if (head.current) head.current.style.transform = `translateX(${x}px)`;

@@ -1,7 +1,10 @@
 import { useSignalEffect } from "@preact/signals";
 import type { Ref } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { lengthWithUnit } from "../../document/units";
+import { agentLabel } from "../../document/queries";
+import type { Scene } from "../../document/scene";
+import { formatTime, lengthWithUnit } from "../../document/units";
+import type { Approach } from "../../engine/api";
 import { useStudio } from "../studio";
 import { shortTime } from "./clock";
 import type { TransitionPlace } from "./layout";
@@ -32,15 +35,18 @@ export interface RibbonProps {
 /** One transition: a wedge whose shape and color say how the minimum distance fares, and how it is moved. */
 export function Ribbon({ index, names, place, state, isSelected, viewport }: RibbonProps) {
   const { document, playback } = useStudio();
-  const { status, plan, words, progress } = state;
+  const { status, plan, words, before, progress } = state;
   const clearance = plan?.report.clearance ?? null;
   const inset = Math.min(INSET, place.width / 6);
   const width = place.width - 2 * inset;
   const scale = viewport.scale.value;
+  const { units } = document.scene.value.stage;
   const momentTime = clearance?.time ?? 0;
-  const moment = (scale.origin + momentTime * scale.pixelsPerSecond - place.left - inset) / width;
-  const distance = clearance && lengthWithUnit(clearance.distance, document.scene.value.stage.units);
+  const momentOf = (time: number) => (scale.origin + time * scale.pixelsPerSecond - place.left - inset) / width;
+  const moment = momentOf(momentTime);
+  const distance = clearance && lengthWithUnit(clearance.distance, units);
   const cut = inset + momentX(moment, width, 3.5);
+  const was = before && inset + momentX(momentOf(before.time), width, 3.5);
   const method = plan ? METHOD_WORDS[plan.report.choice.method] : "";
 
   const labels = useSeenPart(place, viewport);
@@ -50,7 +56,8 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
     const box = element.getBoundingClientRect();
     const x = clientX - box.left;
     const isOnMark = (status === "tight" || status === "clash") && Math.abs(x - cut) < 8;
-    playback.seek(isOnMark ? momentTime : timeAt(scale, place.left + x));
+    const wasThere = before && was !== null && Math.abs(x - was) < 8;
+    playback.seek(isOnMark ? momentTime : wasThere ? before.time : timeAt(scale, place.left + x));
   };
 
   return (
@@ -60,6 +67,9 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
         class={progress === null ? `ribbon is-${status}` : `ribbon is-${status} is-planning`}
         aria-pressed={isSelected}
         aria-label={description(names, state, method, distance, momentTime)}
+        aria-description={before ? beforeWords(document.scene.value, before) : undefined}
+        data-tip={before ? beforeWords(document.scene.value, before) : undefined}
+        data-tip-side="top"
         onClick={(event) => {
           if (event.detail > 0) choose(event.clientX, event.currentTarget);
           else document.selection.value = { kind: "transition", index };
@@ -74,12 +84,8 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
             />
             {progress !== null && <path class="progress" d={ribbonStart(progress, width, HEIGHT)} />}
           </g>
-          {status === "clash" && (
-            <path
-              class="cut"
-              d={`M${cut - BAR_HALF_WIDTH} ${HEIGHT / 2 - BAR_HALF_HEIGHT}h${2 * BAR_HALF_WIDTH}v${2 * BAR_HALF_HEIGHT}h${-2 * BAR_HALF_WIDTH}Z`}
-            />
-          )}
+          {was !== null && <path class="was" d={bar(was)} />}
+          {status === "clash" && <path class="cut" d={bar(cut)} />}
         </svg>
         {place.width >= ROOM_FOR_NUMBER && (
           <span ref={labels} class="ribbon-labels number">
@@ -93,6 +99,16 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
       </button>
     </li>
   );
+}
+
+function bar(x: number): string {
+  const top = HEIGHT / 2 - BAR_HALF_HEIGHT;
+  return `M${x - BAR_HALF_WIDTH} ${top}h${2 * BAR_HALF_WIDTH}v${2 * BAR_HALF_HEIGHT}h${-2 * BAR_HALF_WIDTH}Z`;
+}
+
+function beforeWords(scene: Scene, { agents: [a, b], distance, time }: Approach): string {
+  const near = lengthWithUnit(distance, scene.stage.units);
+  return `Before avoidance: ${agentLabel(scene, a)} and ${agentLabel(scene, b)}, ${near} at ${formatTime(time)}`;
 }
 
 /** Keeps an element in the middle of that part of a ribbon which is in the window. */

@@ -47,3 +47,14 @@ test("a canceled and a failed transition say so", () => {
   expect(transitionState({ kind: "canceled" }, 1).words).toBe("Canceled");
   expect(transitionState({ kind: "failed", problem }, 1).words).toBe("Not planned");
 });
+
+test("what clashed before avoidance is remembered, and what did not is not", () => {
+  const now = plan(1.3);
+  const guide = (distance: number) => ({
+    ...now,
+    report: { ...now.report, guideClearance: { distance, time: 0.4, agents: [0, 1] as const } },
+  });
+  expect(transitionState({ kind: "ready", plan: guide(0.2) }, 1).before).toMatchObject({ distance: 0.2, time: 0.4 });
+  expect(transitionState({ kind: "ready", plan: guide(1.2) }, 1).before).toBeNull();
+  expect(transitionState({ kind: "ready", plan: now }, 1).before).toBeNull();
+});

@@ -1,5 +1,5 @@
 import type { MethodName } from "../../document/scene";
-import type { Planning, SegmentPlan } from "../../engine/api";
+import type { Approach, Planning, SegmentPlan } from "../../engine/api";
 import { type Status, status } from "../status";
 
 export const METHOD_WORDS: Readonly<Record<MethodName, string>> = {
@@ -17,28 +17,35 @@ export interface TransitionState {
   readonly plan: SegmentPlan | null;
   /** The words beside the number: the method, "Planning, 62 %", "Canceled", "Not planned". */
   readonly words: string;
+  /** The nearest meeting of the motion before avoidance, where that was a clash. */
+  readonly before: Approach | null;
   /** 0..1 while it is planned, else null. */
   readonly progress: number | null;
 }
 
 export function transitionState(planning: Planning | undefined, minimumDistance: number): TransitionState {
-  if (!planning) return { status: "none", plan: null, words: "Planning", progress: 0 };
+  if (!planning) return unknown("Planning", 0);
   switch (planning.kind) {
     case "ready":
       return known(planning.plan, minimumDistance, METHOD_WORDS[planning.plan.report.choice.method], null);
     case "planning": {
       const words = `Planning, ${Math.floor(planning.progress * 100)} %`;
       if (planning.stale) return known(planning.stale, minimumDistance, words, planning.progress);
-      return { status: "none", plan: null, words, progress: planning.progress };
+      return unknown(words, planning.progress);
     }
     case "canceled":
-      return { status: "none", plan: null, words: "Canceled", progress: null };
+      return unknown("Canceled", null);
     case "failed":
-      return { status: "none", plan: null, words: "Not planned", progress: null };
+      return unknown("Not planned", null);
   }
 }
 
 function known(plan: SegmentPlan, minimumDistance: number, words: string, progress: number | null): TransitionState {
-  const distance = plan.report.clearance?.distance ?? null;
-  return { status: status(distance, minimumDistance), plan, words, progress };
+  const { clearance, guideClearance } = plan.report;
+  const before = guideClearance && guideClearance.distance < minimumDistance ? guideClearance : null;
+  return { status: status(clearance?.distance ?? null, minimumDistance), plan, words, before, progress };
+}
+
+function unknown(words: string, progress: number | null): TransitionState {
+  return { status: "none", plan: null, words, before: null, progress };
 }

@@ -160,6 +160,7 @@ function More() {
             <div class="menu-row">
               <LoopButton />
               <SpeedMenu />
+              <CountsButton />
             </div>
           </div>
         )}

@@ -1,0 +1,104 @@
+import { deleteObstacle, renameObstacle, setObstacleShape } from "../../document/commands/obstacles";
+import type { Point } from "../../document/formation";
+import { LIMITS } from "../../document/limits";
+import { middleOf, obstacleLabel, shapeMoved } from "../../document/obstacle";
+import type { ObstacleShape } from "../../document/scene";
+import { metersPer } from "../../document/units";
+import { NumberBox } from "../controls/number-box";
+import { Row } from "../controls/row";
+import { TextBox } from "../controls/text-box";
+import { useStudio } from "../studio";
+import { Head } from "./head";
+import { coordinateQuantity, isLongUnit, sizeQuantity } from "./quantities";
+import { Section } from "./section";
+
+/** Something to go around: its name, where it is and how large, to the number. */
+export function ObstaclePanel({ index }: { index: number }) {
+  const { document } = useStudio();
+  const scene = document.scene.value;
+  const obstacle = scene.obstacles[index];
+  if (!obstacle) return null;
+  const { shape } = obstacle;
+  const { units } = scene.stage;
+  const set = (changed: ObstacleShape) => document.perform(setObstacleShape(index, changed));
+  const [x, y] = middleOf(shape);
+  return (
+    <>
+      <Head kind="Obstacle" aside={<span class="number">{`${index + 1} of ${scene.obstacles.length}`}</span>}>
+        <span class="ellipsis">{obstacleLabel(scene, index)}</span>
+      </Head>
+      <Section>
+        <Row label="Name">
+          <TextBox
+            key={index}
+            label="Name"
+            value={obstacle.name}
+            placeholder={obstacleLabel(scene, index)}
+            maxLength={LIMITS.name}
+            onCommit={(name) => document.perform(renameObstacle(index, name))}
+          />
+        </Row>
+        <PlaceRow
+          label={shape.kind === "circle" ? "Center" : "Middle"}
+          at={[x, y]}
+          onCommit={(to) => set(shapeMoved(shape, [to[0] - x, to[1] - y]))}
+        />
+        {shape.kind === "circle" ? (
+          <Row label="Radius" {...(isLongUnit(units) ? { note: units } : {})}>
+            <NumberBox
+              label="Radius"
+              value={shape.radius / metersPer(units)}
+              quantity={{ ...sizeQuantity(units), min: 0.01 }}
+              isUnitBeside={isLongUnit(units)}
+              onCommit={(radius) => set({ ...shape, radius: radius * metersPer(units) })}
+            />
+          </Row>
+        ) : (
+          shape.points.map((point, corner) => (
+            <PlaceRow
+              key={corner}
+              label={`Corner ${corner + 1}`}
+              at={point}
+              onCommit={(to) => set({ ...shape, points: shape.points.with(corner, to) })}
+            />
+          ))
+        )}
+        <div class="inspector-buttons">
+          <button type="button" class="button" onClick={() => document.perform(deleteObstacle(index))}>
+            Delete <span class="key">Del</span>
+          </button>
+        </div>
+      </Section>
+    </>
+  );
+}
+
+function PlaceRow({ label, at, onCommit }: { label: string; at: Point; onCommit(to: Point): void }) {
+  const { document } = useStudio();
+  const { units } = document.scene.value.stage;
+  const per = metersPer(units);
+  const quantity = coordinateQuantity(units);
+  const isUnitBeside = isLongUnit(units);
+  return (
+    <Row label={label} {...(isUnitBeside ? { note: units } : {})}>
+      <span class="pair">
+        <NumberBox
+          label={`${label}, x`}
+          prefix="x"
+          value={at[0] / per}
+          quantity={quantity}
+          isUnitBeside={isUnitBeside}
+          onCommit={(x) => onCommit([x * per, at[1]])}
+        />
+        <NumberBox
+          label={`${label}, y`}
+          prefix="y"
+          value={at[1] / per}
+          quantity={quantity}
+          isUnitBeside={isUnitBeside}
+          onCommit={(y) => onCommit([at[0], y * per])}
+        />
+      </span>
+    </Row>
+  );
+}
