@@ -10,6 +10,7 @@ pub mod assignment;
 pub mod choice;
 pub mod error;
 pub mod formation;
+pub mod grouping;
 pub mod measure;
 pub mod motion;
 pub mod obstacle;

@@ -5,20 +5,21 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may name of the others.
-const MAY_KNOW: [(&str, &[&str]); 12] = [
+const MAY_KNOW: [(&str, &[&str]); 13] = [
     ("adjacency", &["error", "formation"]),
     ("assignment", &["formation"]),
     ("choice", &[]),
     // `scene` only in the words of its limits.
     ("error", &["scene"]),
     ("formation", &[]),
+    ("grouping", &["adjacency", "formation", "spectral"]),
     ("measure", &["adjacency", "formation", "motion"]),
     ("motion", &["formation"]),
     ("obstacle", &[]),
-    ("perform", &["adjacency", "choice", "error", "formation", "measure", "motion", "scene", "spectral", "transition"]),
+    ("perform", &["adjacency", "choice", "error", "formation", "grouping", "measure", "motion", "scene", "spectral", "transition"]),
     ("scene", &["adjacency", "choice", "error", "formation", "obstacle"]),
     ("spectral", &["adjacency", "assignment", "choice", "formation"]),
-    ("transition", &["adjacency", "choice", "formation", "spectral"]),
+    ("transition", &["adjacency", "choice", "formation", "grouping", "spectral"]),
 ];
 
 fn sources(path: &Path) -> Vec<PathBuf> {

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
+use eigenform::adjacency::Adjacency;
 use eigenform::assignment;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
+use eigenform::grouping::{self, Way};
 use eigenform::perform::{Performed, Performer};
 use eigenform::scene::{self, Scene, Source};
 use eigenform::spectral::{Eigenbasis, ModeMatch};
@@ -98,6 +100,18 @@ pub fn mode_match(matched: &ModeMatch, most: usize) -> Vec<f32> {
     let amounts = matched.amounts[..shown * matched.mode_count].iter().map(|amount| *amount as f32);
     let targets = matched.targets.iter().flat_map(|targets| targets[..shown].iter().map(|target| *target as f32));
     amounts.chain(targets).collect()
+}
+
+pub fn way(name: &str, amount: f64) -> Way {
+    match name {
+        "bisect" => Way::Bisect { levels: amount as u32 },
+        "parts" => Way::Parts { count: amount as u32 },
+        _ => Way::Connected { factor: amount },
+    }
+}
+
+pub fn groups(scene: &Scene, keyframe: usize, graph: &Adjacency, agents: &[u32], way: Way) -> String {
+    encode(&grouping::propose(&scene.main_track().keyframes[keyframe].positions, graph, agents, way))
 }
 
 pub fn assign(source: &Formation, target: &Formation) -> Vec<u32> {

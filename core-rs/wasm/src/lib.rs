@@ -160,6 +160,12 @@ impl Engine {
         desk::link(at_hand(self.scene.as_ref()), is_short)
     }
 
+    /// Groups of some agents by their ties at a keyframe, JSON: `bisect` so often, into so many `parts`, or `connected` by such ties.
+    pub fn propose_groups(&mut self, keyframe: usize, agents: &[u32], way: &str, amount: f64) -> Result<String, Refusal> {
+        let graph = self.graph(keyframe)?;
+        Ok(desk::groups(at_hand(self.scene.as_ref()), keyframe, &graph, agents, desk::way(way, amount)))
+    }
+
     /// The slot of each agent, least total squared distance; x, y an agent.
     pub fn assign(&self, source: &[f64], target: &[f64]) -> Vec<u32> {
         desk::assign(&desk::formation(source, None), &desk::formation(target, None))

@@ -75,7 +75,8 @@ function followAgents(before: readonly object[], after: readonly object[], agent
   return kept.length > 0 ? { kind: "agents", agents: new Set(kept) } : NOTHING;
 }
 
-function followGroup(before: Scene, after: Scene, path: GroupPath): GroupPath | null {
+/** Where a group of `before` is in `after`; null when it is gone. */
+export function followGroup(before: Scene, after: Scene, path: GroupPath): GroupPath | null {
   const group = groupAt(before.groups, path);
   if (!group) return null;
   const candidate = groupAt(after.groups, path);

@@ -1,4 +1,5 @@
 import type { ReadonlySignal } from "@preact/signals";
+import type { Branch } from "../document/commands/propose";
 import type { Formation } from "../document/formation";
 import type { Choice, Scene } from "../document/scene";
 import type { SegmentMotion } from "../playback/motion";
@@ -125,6 +126,13 @@ export interface Planner {
   resume(): void;
 }
 
+/** How groups are sought: halves of halves, so many side by side, or whom ties of at least a factor connect. */
+export interface GroupingWay {
+  readonly kind: "bisect" | "parts" | "connected";
+  /** Levels, groups, or the factor. */
+  readonly amount: number;
+}
+
 /** Questions to the engine, each answered once. */
 export interface Engine {
   /** Any text: scene JSON, keyframe CSV or link. */
@@ -135,6 +143,8 @@ export interface Engine {
   link(scene: Scene, precision: "exact" | "short"): Promise<LinkReport>;
   /** `slots[agent]` is the slot of each agent; least total squared distance. */
   assign(source: Formation, target: Formation): Promise<Uint32Array>;
+  /** Groups of some agents by the ties of a keyframe: nobody is in two. */
+  proposeGroups(scene: Scene, keyframe: number, agents: Uint32Array, way: GroupingWay): Promise<readonly Branch[]>;
   /** Says what happened to the engine itself: restarting, back. */
   readonly health: ReadonlySignal<"starting" | "ready" | "restarting" | "failed">;
 }

@@ -47,5 +47,9 @@ export function createEngine(crew: Crew): Engine {
       ask(crew, "link", (link) => ({ scene: link.ledger.message(scene), isShort: precision === "short" })),
     assign: (source: Formation, target: Formation) =>
       ask(crew, "assign", () => ({ source: source.xy, target: target.xy })),
+    async proposeGroups(scene: Scene, keyframe, agents, way) {
+      const of = (link: WorkerLink) => ({ scene: link.ledger.message(scene), keyframe, agents, way });
+      return JSON.parse(await ask(crew, "proposeGroups", of));
+    },
   };
 }

@@ -1,5 +1,5 @@
 import type { Choice } from "../document/scene";
-import type { EngineProblem, LinkReport, SegmentReport } from "./api";
+import type { EngineProblem, GroupingWay, LinkReport, SegmentReport } from "./api";
 
 /**
  * A scene as it crosses to a worker: formations once each, by number; all else as JSON text, only when it changed.
@@ -25,6 +25,13 @@ export interface PlanRequest {
   readonly ties: readonly number[];
 }
 
+export interface GroupingRequest {
+  readonly scene: SceneMessage;
+  readonly keyframe: number;
+  readonly agents: Uint32Array;
+  readonly way: GroupingWay;
+}
+
 /** Every question to a worker and its answer. */
 export interface Calls {
   open: { ask: { readonly text: string }; answer: OpenedMessage };
@@ -43,6 +50,8 @@ export interface Calls {
     /** Rows of likeness and pairings; eigenvalues at each of the steps, none for 0. */
     answer: { readonly match: Float32Array; readonly eigenvalues: Float64Array };
   };
+  /** Answers JSON of the groups. */
+  proposeGroups: { ask: GroupingRequest; answer: string };
   /** Answered when the request is taken over; results follow as plan messages. */
   plan: { ask: PlanRequest; answer: null };
   /** Answered between two steps of the work that stops. */

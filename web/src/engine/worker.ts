@@ -55,6 +55,10 @@ const handlers: Handlers = {
     const match = to.mode_match(segment, most);
     return { match, eigenvalues: steps > 0 ? to.eigenvalues_between(segment, steps) : new Float64Array(0) };
   },
+  proposeGroups: ({ scene, keyframe, agents, way }, to) => {
+    take(scene, to);
+    return to.propose_groups(keyframe, agents, way.kind, way.amount);
+  },
   plan: (request, to, id) => {
     plan = null;
     take(request.scene, to);

@@ -95,7 +95,8 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     handles.hovered = view.hovered.peek();
     handles.overlay = toolbox.overlay.peek();
     handles.areNamesShown = view.layers.peek().names;
-    const isSelecting = toolbox.active.peek() === "select" && handles.selection.kind === "agents";
+    const { kind } = handles.selection;
+    const isSelecting = toolbox.active.peek() === "select" && (kind === "agents" || kind === "group");
     handles.hasBox = isSelecting && !playback.isPlaying.peek() && handles.overlay.kind !== "marquee";
     handles.ties = subject.ties.peek()[moving.show.keyframeBefore(moving.time)] ?? null;
   }

@@ -1,5 +1,6 @@
 import type { ReadonlySignal } from "@preact/signals";
 import { distanceTo } from "../document/obstacle";
+import { selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { lengthWithUnit } from "../document/units";
@@ -56,6 +57,9 @@ export function createEditor(parts: ToolParts, settings: Pick<Toolbox, "shape" |
     get tieScope() {
       return settings.tieScope.peek();
     },
+    get areGroupsShown() {
+      return view.layers.peek().groups;
+    },
     agentAt: ({ screen, pointer }) =>
       agentAt(parts.shownXy(), view.camera.peek(), screen, agentReach(radius(), pointer)),
     obstacleAt({ at }) {
@@ -71,7 +75,8 @@ export function createEditor(parts: ToolParts, settings: Pick<Toolbox, "shape" |
     },
     handleAt({ screen, pointer }) {
       const selection = document.selection.peek();
-      const bounds = selection.kind === "agents" ? selectionBounds(parts.shownXy(), selection.agents) : null;
+      const hasBox = selection.kind === "agents" || selection.kind === "group";
+      const bounds = hasBox ? selectionBounds(parts.shownXy(), selectedAgents(document.scene.peek(), selection)) : null;
       if (!bounds || (bounds.minX === bounds.maxX && bounds.minY === bounds.maxY)) return null;
       const camera = view.camera.peek();
       // A fingertip reaches from a handle to the agents beside it: on a disc it means the agent.

@@ -73,12 +73,35 @@ describe("selecting", () => {
     expect(bench.toolbox.cancel()).toBe(false);
   });
 
-  test("a double click selects the agents of the group", () => {
+  test("a click takes a group as one, a double click goes inside, Escape comes out again", () => {
     bench.document.perform(makeGroup(new Set([0, 1, 3])));
     bench.click([0, 0]);
+    expect(bench.document.selection.value).toEqual({ kind: "group", path: [0] });
     bench.press([0, 0], { isDouble: true });
     bench.release([0, 0]);
-    expect(bench.selected()).toEqual([0, 1, 3]);
+    expect(bench.selected()).toEqual([0]);
+    bench.click([4, 0]);
+    expect(bench.selected()).toEqual([1]);
+    expect(bench.toolbox.cancel()).toBe(true);
+    expect(bench.document.selection.value).toEqual({ kind: "group", path: [0] });
+    expect(bench.toolbox.cancel()).toBe(false);
+  });
+
+  test("groups that are hidden are not taken as one", () => {
+    bench.document.perform(makeGroup(new Set([0, 1, 3])));
+    bench.view.layers.value = { ...bench.view.layers.value, groups: false };
+    bench.click([0, 0]);
+    expect(bench.selected()).toEqual([0]);
+    expect(bench.toolbox.cancel()).toBe(false);
+  });
+
+  test("Shift adds a whole group, Ctrl takes it away", () => {
+    bench.document.perform(makeGroup(new Set([0, 1, 3])));
+    bench.click([4, 4]);
+    bench.click([0, 0], { shift: true });
+    expect(bench.selected()).toEqual([0, 1, 2, 3]);
+    bench.click([4, 0], { ctrl: true });
+    expect(bench.selected()).toEqual([2]);
   });
 });
 
@@ -124,6 +147,26 @@ describe("moving", () => {
     expect(bench.selected()).toEqual([0, 1]);
     bench.click([4, -3]);
     expect(bench.selected()).toEqual([1]);
+  });
+
+  test("pulling an agent of a group moves them all as one, and from inside the agent alone", () => {
+    bench.document.perform(makeGroup(new Set([0, 1])));
+    bench.drag([
+      [0, 0],
+      [0, -3],
+    ]);
+    expect([bench.place(0), bench.place(1), bench.place(2)]).toEqual([
+      [0, -3],
+      [4, -3],
+      [4, 4],
+    ]);
+    bench.press([0, -3], { isDouble: true });
+    bench.move([0, -5]);
+    bench.release([0, -5]);
+    expect([bench.place(0), bench.place(1)]).toEqual([
+      [0, -5],
+      [4, -3],
+    ]);
   });
 
   test("pulling one that is not selected leaves the selected ones", () => {

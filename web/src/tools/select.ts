@@ -1,5 +1,5 @@
 import type { Point } from "../document/formation";
-import { groupAt, groupOf, groupSet } from "../document/groups";
+import { picked, pickedInside } from "../document/pick";
 import { agentLabel, selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import type { Selection } from "../document/selection";
@@ -88,22 +88,35 @@ function press(event: Press, editor: Editor): SelectState {
   const agent = editor.agentAt(event);
   if (agent === null) return beginBrush(event, editor);
   const pointing = { kind: "pointing", origin: event.at, screen: event.screen, onClick: null } as const;
+  const current = document.selection.peek();
+  const unit = unitAt(agent, event, editor);
   if (event.isDouble) {
-    selectGroupOf(agent, editor);
+    document.selection.value = unit;
+    announceSelected(editor);
     return pointing;
   }
   if (event.ctrl) {
-    document.selection.value = agentSelection(toggled(selected, new Set([agent])));
+    document.selection.value = agentSelection(toggled(selected, selectedAgents(scene, unit)));
     return selected.has(agent) ? IDLE : pointing;
   }
   if (event.shift) {
-    document.selection.value = agentSelection(new Set([...selected, agent]));
+    document.selection.value = agentSelection(new Set([...selected, ...selectedAgents(scene, unit)]));
     return pointing;
   }
-  const alone: Selection = { kind: "agents", agents: new Set([agent]) };
-  if (selected.has(agent) && document.selection.peek().kind !== "tie") return { ...pointing, onClick: alone };
-  document.selection.value = alone;
+  if (selected.has(agent) && current.kind !== "tie") {
+    // A group under the pointer stays as it is; of several agents a click picks the one.
+    return { ...pointing, onClick: current.kind === "group" ? null : unit };
+  }
+  document.selection.value = unit;
   return pointing;
+}
+
+/** What a press on an agent is meant for: its group where groups show, or the agent itself. */
+export function unitAt(agent: number, { isDouble }: Press, { document, areGroupsShown }: Editor): Selection {
+  const scene = document.scene.peek();
+  const selection = document.selection.peek();
+  if (!areGroupsShown) return { kind: "agents", agents: new Set([agent]) };
+  return isDouble ? pickedInside(scene, selection, agent) : picked(scene, selection, agent);
 }
 
 function drag(state: SelectState, event: Pointing, editor: Editor): SelectState {
@@ -148,13 +161,6 @@ function brush(state: Extract<SelectState, { kind: "brushing" }>, event: Pointin
 function hover(event: Pointing, editor: Editor): SelectState {
   const over = editor.handleAt(event) ?? (editor.agentAt(event) === null ? "stage" : "agent");
   return { kind: "idle", over };
-}
-
-function selectGroupOf(agent: number, { document }: Editor): void {
-  const { groups } = document.scene.peek();
-  const path = groupOf(groups, agent);
-  const group = path && groupAt(groups, path);
-  if (group) document.selection.value = agentSelection(groupSet(group));
 }
 
 function closeGesture(state: SelectState, how: "commit" | "cancel"): void {

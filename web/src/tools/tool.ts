@@ -40,6 +40,8 @@ export interface Editor {
   readonly shape: ShapeName;
   readonly spacing: Spacing;
   readonly tieScope: "scene" | "keyframe";
+  /** Whether groups are seen, and so taken as one. */
+  readonly areGroupsShown: boolean;
   agentAt(pointing: Pointing): number | null;
   obstacleAt(pointing: Pointing): number | null;
   tieAt(pointing: Pointing): readonly [a: number, b: number] | null;

@@ -1,5 +1,6 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import { keyframeLabel } from "../document/queries";
+import { outside } from "../document/pick";
+import { groupLabel, keyframeLabel } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import { momentAt } from "../document/timing";
 import { createEditor, type ToolParts } from "./create-editor";
@@ -7,7 +8,7 @@ import { drawTool } from "./draw";
 import { groupTool } from "./group";
 import { panTool } from "./pan";
 import { settleInMiddle } from "./place";
-import { selectTool } from "./select";
+import { selectTool, unitAt } from "./select";
 import { shapeTool } from "./shape";
 import { tieTool } from "./tie";
 import { type Editor, NO_OVERLAY, type Press, type Tool, type ToolEvent } from "./tool";
@@ -18,7 +19,7 @@ export interface Workbench {
   readonly overlay: ReadonlySignal<Overlay>;
   readonly cursor: ReadonlySignal<string>;
   send(event: ToolEvent): void;
-  /** Gives up the gesture under way; whether there was one. */
+  /** Gives up the gesture under way, or steps out to the group around what is selected; whether there was either. */
   cancel(): boolean;
   placeInMiddle(): void;
 }
@@ -40,12 +41,21 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
   /** The rest of a press that only stopped the show. */
   let isSwallowed = false;
 
-  function cancel(): boolean {
+  function giveUp(): boolean {
     const wasPressed = isPressed;
     isPressed = false;
     isSwallowed = false;
     hands[active.peek()].send({ kind: "cancel" });
     return wasPressed;
+  }
+
+  function stepOut(): boolean {
+    const { document, announce } = parts;
+    const around = outside(document.scene.peek(), document.selection.peek());
+    if (!editor.areGroupsShown || around.kind !== "group") return false;
+    document.selection.value = around;
+    announce(`${groupLabel(document.scene.peek(), around.path)} selected`);
+    return true;
   }
 
   // A tool that is put away gives up what it was doing.
@@ -63,7 +73,7 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
     cursor: computed(() => hands[active.value].cursor.value),
     send(event) {
       if (event.kind === "cancel") {
-        cancel();
+        giveUp();
         return;
       }
       if (event.kind === "press") {
@@ -77,7 +87,7 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
         isSwallowed = false;
       }
     },
-    cancel,
+    cancel: () => giveUp() || stepOut(),
     placeInMiddle() {
       const tool = active.peek();
       if (tool !== "draw" && tool !== "shape") return;
@@ -105,7 +115,9 @@ function settlePress(press: Press, tool: ToolName, parts: ToolParts, editor: Edi
   const agent = editor.agentAt(press);
   const wasMoving = settleShow(parts);
   if (!wasMoving || tool === "draw" || tool === "shape") return false;
-  if (agent !== null) parts.document.selection.value = { kind: "agents", agents: new Set([agent]) };
+  if (agent === null) return true;
+  const alone = { kind: "agents", agents: new Set([agent]) } as const;
+  parts.document.selection.value = tool === "select" ? unitAt(agent, press, editor) : alone;
   return true;
 }
 

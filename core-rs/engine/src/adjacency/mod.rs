@@ -11,6 +11,8 @@ mod laplacian;
 mod spec;
 mod triangulation;
 
+pub(crate) use components::Components;
+
 pub use build::{COMPLETE_GROUP_LIMIT, GroupTie, TIE_LIMIT, TooManyTies, build, expanded_tie_count};
 pub use delaunay::{COINCIDENCE_TOLERANCE, propose};
 pub use spec::{AdjacencySpec, Base, Weights};

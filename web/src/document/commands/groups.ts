@@ -2,6 +2,7 @@ import { chooseAllAgain } from "../edit";
 import { groupAt, groupPaths, groupSet, groupWithSet } from "../groups";
 import { clipText, LIMITS, withinLimits } from "../limits";
 import { GROUP_COLORS } from "../palette";
+import { innermostHolder } from "../pick";
 import { type Group, type GroupPath, mainTrack, type Scene } from "../scene";
 import { common, isWithin, without } from "../sets";
 import type { Command } from "../store";
@@ -142,19 +143,13 @@ function patch(scene: Scene, path: GroupPath, change: Partial<Group>): Scene {
 }
 
 /** Groups matter to a motion through their ties: with any, auto chooses again. */
-function withGroups(scene: Scene, groups: readonly Group[]): Scene {
+export function withGroups(scene: Scene, groups: readonly Group[]): Scene {
   if (groups === scene.groups) return scene;
   const next = { ...scene, groups };
   const isTied = [scene.groups, groups].some((tree) =>
     groupPaths(tree).some((path) => groupAt(tree, path)?.tieWeight != null),
   );
   return withinLimits(scene, isTied ? chooseAllAgain(next) : next);
-}
-
-function innermostHolder(groups: readonly Group[], agents: ReadonlySet<number>, path: GroupPath = []): GroupPath {
-  const index = groups.findIndex((group) => isWithin(agents, groupSet(group)));
-  const group = groups[index];
-  return group ? innermostHolder(group.children, agents, [...path, index]) : path;
 }
 
 function freeName(groups: readonly Group[]): string {

@@ -89,7 +89,7 @@ export function adjacencyAt(scene: Scene, keyframe: number): AdjacencySpec {
 }
 
 /** An edit of the whole show reaches keyframes with ties of their own too. */
-function changeScope(scene: Scene, scope: TieScope, change: (adjacency: AdjacencySpec) => AdjacencySpec): Scene {
+export function changeScope(scene: Scene, scope: TieScope, change: (adjacency: AdjacencySpec) => AdjacencySpec): Scene {
   if (scope.kind === "keyframe") {
     return updateKeyframe(scene, scope.index, (was) => {
       const adjacency = was.adjacency ?? scene.adjacency;

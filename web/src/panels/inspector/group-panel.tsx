@@ -14,8 +14,10 @@ import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
 import { GroupList } from "./group-list";
 import { Head } from "./head";
+import { ProposeGroups } from "./propose-groups";
 import { FACTOR } from "./quantities";
 import { Section } from "./section";
+import { TiesBetween } from "./ties-between";
 
 /** How firmly a group is tied when a person first asks for it. */
 const FIRST_FACTOR = 10;
@@ -84,6 +86,8 @@ export function GroupPanel({ path }: { path: GroupPath }) {
         </div>
       </Section>
       <GroupList parent={path} title="Groups in it" />
+      <ProposeGroups inside={path} />
+      <TiesBetween key={path.join(".")} path={path} />
     </>
   );
 }

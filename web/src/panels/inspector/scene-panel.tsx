@@ -11,6 +11,7 @@ import { useStudio } from "../studio";
 import { GroupList } from "./group-list";
 import { Head } from "./head";
 import { MinimumDistanceRow } from "./minimum-distance-row";
+import { ProposeGroups } from "./propose-groups";
 import { isLongUnit, sizeQuantity, wholeQuantity } from "./quantities";
 import { Section } from "./section";
 
@@ -103,6 +104,7 @@ export function ScenePanel() {
         </Row>
       </Section>
       {isEmpty ? <BringOneIn /> : <GroupList parent={[]} title="Groups" />}
+      <ProposeGroups inside={[]} />
     </>
   );
 }

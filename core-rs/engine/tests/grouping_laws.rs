@@ -1,0 +1,146 @@
+//! Proposals for groups: who stands together, whatever the labels, and an answer for every graph.
+
+mod common;
+
+use eigenform::adjacency::{Adjacency, AdjacencySpec, Base, build};
+use eigenform::formation::Formation;
+use eigenform::grouping::{Branch, Way, propose};
+use glam::DVec2;
+use proptest::prelude::*;
+
+use common::{any_formation, grid, relabeled, ring};
+
+fn graph(positions: &[DVec2], spec: &AdjacencySpec) -> (Formation, Adjacency) {
+    let formation = Formation::new(positions.to_vec());
+    let adjacency = build(&formation, spec, &[]).expect("few ties");
+    (formation, adjacency)
+}
+
+fn proposed(positions: &[DVec2], spec: &AdjacencySpec, way: Way) -> Vec<Branch> {
+    let (formation, adjacency) = graph(positions, spec);
+    let everyone: Vec<u32> = (0..positions.len() as u32).collect();
+    propose(&formation, &adjacency, &everyone, way)
+}
+
+/// Every set of the tree, outer before inner.
+fn sets(branches: &[Branch]) -> Vec<Vec<u32>> {
+    fn set(branch: &Branch) -> Vec<u32> {
+        let mut all: Vec<u32> = branch.members.iter().copied().chain(branch.children.iter().flat_map(set)).collect();
+        all.sort_unstable();
+        all
+    }
+    branches.iter().flat_map(|branch| [vec![set(branch)], sets(&branch.children)].concat()).collect()
+}
+
+/// Blocks of 3 × 2 around the centers.
+fn blocks(centers: &[[f64; 2]]) -> Vec<DVec2> {
+    centers.iter().flat_map(|center| grid(3, 2).into_iter().map(|p| DVec2::from_array(*center) + p)).collect()
+}
+
+const THREE: [[f64; 2]; 3] = [[0.0, 0.0], [9.0, 1.0], [3.0, 8.0]];
+
+#[test]
+fn three_blocks_are_three_parts() {
+    let expected: Vec<Vec<u32>> = (0..3).map(|block| (6 * block..6 * block + 6).collect()).collect();
+    assert_eq!(sets(&proposed(&blocks(&THREE), &AdjacencySpec::default(), Way::Parts { count: 3 })), expected);
+}
+
+#[test]
+fn two_pairs_of_blocks_are_bisected_twice() {
+    let four = blocks(&[[0.0, 0.0], [5.0, 0.5], [30.0, 0.0], [35.0, 1.0]]);
+    let range = |from: u32, to: u32| (from..to).collect::<Vec<_>>();
+    let expected = [range(0, 12), range(0, 6), range(6, 12), range(12, 24), range(12, 18), range(18, 24)];
+    assert_eq!(sets(&proposed(&four, &AdjacencySpec::default(), Way::Bisect { levels: 2 })), expected);
+}
+
+#[test]
+fn a_ring_comes_apart_evenly() {
+    for (count, parts) in [(12, 3), (12, 4), (200, 5)] {
+        let groups = proposed(&ring(count, 9.0, 0.1), &AdjacencySpec::default(), Way::Parts { count: parts });
+        assert!(groups.iter().all(|group| group.members.len() == count / parts as usize), "{count} in {parts}: {groups:?}");
+    }
+}
+
+#[test]
+fn a_square_grid_is_cut_along_its_columns() {
+    let groups = proposed(&grid(6, 6), &AdjacencySpec::default(), Way::Bisect { levels: 1 });
+    let left: Vec<u32> = (0..36).filter(|agent| agent % 6 < 3).collect();
+    assert_eq!(groups[0].members, left);
+}
+
+#[test]
+fn only_firm_ties_connect() {
+    let spec = AdjacencySpec { ties: vec![(0, 3, 5.0), (3, 4, 20.0), (7, 8, 4.0), (1, 2, 4.9)], ..AdjacencySpec::default() };
+    let groups = proposed(&grid(3, 3), &spec, Way::Connected { factor: 5.0 });
+    assert_eq!(groups, [Branch::leaf(vec![0, 3, 4])]);
+    assert_eq!(proposed(&grid(3, 3), &spec, Way::Connected { factor: 1.0 }), [Branch::leaf((0..9).collect())]);
+}
+
+#[test]
+fn a_cut_graph_falls_apart_along_its_pieces() {
+    let spec = AdjacencySpec { base: Base::None, ties: vec![(0, 1, 1.0), (1, 2, 1.0), (4, 5, 1.0)], ..AdjacencySpec::default() };
+    let groups = proposed(&grid(3, 2), &spec, Way::Parts { count: 3 });
+    assert_eq!(groups, [vec![0, 1, 2], vec![3], vec![4, 5]].map(Branch::leaf));
+}
+
+#[test]
+fn few_agents_are_a_group_each_and_nobody_is_none() {
+    let spec = AdjacencySpec::default();
+    assert_eq!(proposed(&[], &spec, Way::Parts { count: 3 }), []);
+    assert_eq!(proposed(&[DVec2::ONE], &spec, Way::Parts { count: 3 }), [Branch::leaf(vec![0])]);
+    assert_eq!(proposed(&[DVec2::ONE], &spec, Way::Bisect { levels: 3 }), []);
+    assert_eq!(proposed(&[DVec2::X, DVec2::ZERO], &spec, Way::Bisect { levels: 3 }), [vec![0], vec![1]].map(Branch::leaf));
+}
+
+#[test]
+fn a_proposal_for_some_leaves_the_others_alone() {
+    let (formation, adjacency) = graph(&blocks(&THREE), &AdjacencySpec::default());
+    let some: Vec<u32> = (6..18).rev().collect();
+    let expected = [(6..12).collect(), (12..18).collect()].map(Branch::leaf);
+    assert_eq!(propose(&formation, &adjacency, &some, Way::Parts { count: 2 }), expected);
+}
+
+fn any_way() -> impl Strategy<Value = Way> {
+    prop_oneof![
+        (1_u32..5).prop_map(|levels| Way::Bisect { levels }),
+        (1_u32..9).prop_map(|count| Way::Parts { count }),
+        (0.5..3.0).prop_map(|factor| Way::Connected { factor }),
+    ]
+}
+
+proptest! {
+    #[test]
+    fn nobody_is_in_two_groups_and_no_group_is_empty(positions in any_formation(), way in any_way()) {
+        let groups = proposed(&positions, &AdjacencySpec::default(), way);
+        let tops: Vec<Vec<u32>> = groups.iter().flat_map(|group| sets(std::slice::from_ref(group)).into_iter().take(1)).collect();
+        let mut all = tops.concat();
+        all.sort_unstable();
+        prop_assert!(all.is_sorted_by(|a, b| a < b));
+        prop_assert!(sets(&groups).iter().all(|set| !set.is_empty()));
+        if let Way::Parts { count } = way {
+            prop_assert_eq!(all.len(), positions.len());
+            prop_assert!(groups.len() <= count as usize);
+        }
+        prop_assert_eq!(groups, proposed(&positions, &AdjacencySpec::default(), way), "the same again");
+    }
+
+    /// Blocks at places that nothing makes alike; who is who does not matter.
+    #[test]
+    fn new_labels_relabel_the_groups((positions, labels) in relabeled(Just(blocks(&THREE)))) {
+        let mut moved = positions.clone();
+        labels.iter().zip(&positions).for_each(|(label, p)| moved[*label as usize] = *p);
+        for way in [Way::Bisect { levels: 2 }, Way::Parts { count: 5 }] {
+            let renamed = |groups: &[Branch]| {
+                let mut all: Vec<Vec<u32>> = sets(groups).iter().map(|set| set.iter().map(|agent| labels[*agent as usize]).collect()).collect();
+                for set in &mut all {
+                    set.sort_unstable();
+                }
+                all.sort();
+                all
+            };
+            let mut found = sets(&proposed(&moved, &AdjacencySpec::default(), way));
+            found.sort();
+            prop_assert_eq!(renamed(&proposed(&positions, &AdjacencySpec::default(), way)), found);
+        }
+    }
+}
