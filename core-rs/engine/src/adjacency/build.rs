@@ -82,8 +82,7 @@ fn expand(formation: &Formation, spec: &AdjacencySpec, group_ties: &[GroupTie]) 
                 (0..b).try_for_each(|a| tie(a, b))?;
             }
         } else {
-            let standing = Formation::new(members.iter().map(|&agent| formation.positions()[agent as usize]).collect());
-            for_each_pair_within_two(members.len(), &propose(&standing), tie)?;
+            for_each_pair_within_two(members.len(), &propose(&formation.only(members)), tie)?;
         }
     }
     for &(a, b, factor) in &spec.ties {
@@ -119,8 +118,8 @@ fn for_each_pair_within_two<E>(count: usize, edges: &[(u32, u32)], mut visit: im
 }
 
 fn divide_by_distance(formation: &Formation, ties: &mut [Tie]) {
-    let positions = formation.positions();
-    let distances: Vec<f64> = ties.iter().map(|tie| positions[tie.a as usize].distance(positions[tie.b as usize])).collect();
+    let places = formation.places();
+    let distances: Vec<f64> = ties.iter().map(|tie| places.distance(tie.a as usize, tie.b as usize)).collect();
     let Some(median) = median(distances.iter().copied().filter(|&distance| distance > 0.0).collect()) else { return };
     for (tie, distance) in ties.iter_mut().zip(distances) {
         tie.weight = tie.factor / distance.max(SHORTEST_RELATIVE_DISTANCE * median);

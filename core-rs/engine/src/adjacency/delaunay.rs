@@ -1,137 +1,61 @@
 //! The ties that positions alone suggest: the Delaunay subdivision.
 //!
-//! A Delaunay triangulation is not unique where agents share a circle, which every grid and every ring does; the triangulation
-//! then depends on the order of the agents and on rounding. The subdivision leaves out what is not unique (spectral.md, section 2):
-//! a square cell keeps its four sides, a ring its cycle, and relabeling or moving the formation changes nothing.
+//! A Delaunay triangulation is not unique where agents share a circle or a sphere, which every grid and every ring does; the
+//! triangulation then depends on the order of the agents and on rounding. The subdivision leaves out what is not unique (spectral.md,
+//! section 2): a square cell keeps its four sides, a ring its cycle, a cube its twelve edges, and relabeling or moving the formation
+//! changes nothing.
 
-use std::f64::consts::PI;
+use glam::{DVec2, DVec3};
 
-use glam::DVec2;
-
+use super::Edge;
 use super::coincidence::representatives;
-use super::components::Components;
-use super::triangulation::{Raw, triangulate};
-use crate::formation::{Formation, principal_axes};
+use super::facets::neighbors_in_space;
+use super::subdivision::{SLIVER_TOLERANCE, subdivision};
+use crate::formation::{Formation, Places};
 
 /// Agents nearer than this, relative to the extent, stand in one place.
 pub const COINCIDENCE_TOLERANCE: f64 = 1e-9;
 
-/// A triangle whose height is at most this fraction of its longest side has no inside to speak of.
-///
-/// Coordinates carry errors of 1e-11 of the extent far from the origin; this stays clear of them and below anything a person draws.
-const SLIVER_TOLERANCE: f64 = 1e-6;
-
-/// Opposite angles that sum to π within this, radians, say that four agents share a circle.
-const COCIRCULAR_TOLERANCE: f64 = 1e-6;
-
-/// Lengths that differ by less than this fraction are equally short.
-const EQUAL_LENGTH_TOLERANCE: f64 = 1e-9;
-
-type Edge = (u32, u32);
-
-/// The Delaunay subdivision of a formation: pairs a < b, ascending, connecting all agents.
+/// The Delaunay subdivision of a formation, in its plane where it has one: pairs a < b, ascending, connecting all agents.
 ///
 /// Coincident agents are tied to the lowest of them; agents on one line form a chain.
 pub fn propose(formation: &Formation) -> Vec<Edge> {
-    let formation = normalized(formation);
-    let points = formation.positions();
-    let representative = representatives(points, COINCIDENCE_TOLERANCE * formation.extent());
+    let (points, extent) = normalized(formation.places());
+    let representative = representatives(&points, COINCIDENCE_TOLERANCE * extent);
     let mut edges: Vec<Edge> = (0..).zip(&representative).filter(|&(agent, &of)| agent != of).map(|(agent, &of)| (of, agent)).collect();
     let apart: Vec<u32> = (0..).zip(&representative).filter(|&(agent, &of)| agent == of).map(|(agent, _)| agent).collect();
-    edges.extend(subdivision(points, &apart));
+    let standing: Vec<DVec3> = apart.iter().map(|&agent| points[agent as usize]).collect();
+    let own = plane_of(&standing).map_or_else(|| neighbors_in_space(&standing), |plan| subdivision(&plan));
+    edges.extend(own.into_iter().map(|(a, b)| (apart[a as usize], apart[b as usize])));
     edges.sort_unstable();
     edges
 }
 
-/// Positions about the middle of the bounding box, scaled by a power of two to an extent near 1: products of differences neither
-/// lose digits far from the origin nor underflow.
-fn normalized(formation: &Formation) -> Formation {
-    let (low, high) = formation.bounds();
+/// Places about the middle of the bounding box, scaled by a power of two to an extent near 1, with that extent: products of
+/// differences neither lose digits far from the origin nor underflow.
+fn normalized(places: Places<'_>) -> (Vec<DVec3>, f64) {
+    let (low, high) = places.bounds();
     let extent = low.distance(high);
     let scale = if extent > 0.0 { libm::ldexp(1.0, -libm::ilogb(extent)) } else { 0.0 };
-    Formation::new(formation.positions().iter().map(|&p| (p - low.midpoint(high)) * scale).collect())
+    (places.iter().map(|place| (place - low.midpoint(high)) * scale).collect(), extent * scale)
 }
 
-/// The subdivision of agents that all stand apart, `agents` ascending.
-fn subdivision(points: &[DVec2], agents: &[u32]) -> Vec<Edge> {
-    let Raw { triangles, edges: raw } = triangulate(points, agents);
-    let mut corners: Vec<Corner> = Vec::with_capacity(3 * triangles.len());
-    for [a, b, c] in triangles.into_iter().filter(|triangle| !is_sliver(points, *triangle)) {
-        corners.extend([corner(points, a, b, c), corner(points, b, c, a), corner(points, c, a, b)]);
+/// The agents within the plane they stand in, as they are where it is level; none when they need space. Extents are near 1.
+fn plane_of(points: &[DVec3]) -> Option<Vec<DVec2>> {
+    let first = *points.first().unwrap_or(&DVec3::ZERO);
+    if points.iter().all(|point| point.z == first.z) {
+        return Some(points.iter().map(|point| point.truncate()).collect());
     }
-    if corners.is_empty() {
-        return chain(points, agents);
-    }
-    corners.sort_unstable_by_key(|corner| corner.edge);
-    let mut edges: Vec<Edge> =
-        corners.chunk_by(|p, q| p.edge == q.edge).filter(|sides| !is_diagonal(sides)).map(|sides| sides[0].edge).collect();
-    join_components(points, agents, raw, &mut edges);
-    edges
-}
-
-/// One corner of a kept triangle: the edge it faces and its angle, radians.
-struct Corner {
-    edge: Edge,
-    angle: f64,
-}
-
-fn corner(points: &[DVec2], apex: u32, a: u32, b: u32) -> Corner {
-    let (to_a, to_b) = (points[a as usize] - points[apex as usize], points[b as usize] - points[apex as usize]);
-    Corner { edge: (a.min(b), a.max(b)), angle: to_a.perp_dot(to_b).abs().atan2(to_a.dot(to_b)) }
-}
-
-/// Whether the triangles at both sides of an edge have one circumcircle: then another diagonal would do as well.
-fn is_diagonal(sides: &[Corner]) -> bool {
-    matches!(sides, [one, other] if (one.angle + other.angle - PI).abs() <= COCIRCULAR_TOLERANCE)
-}
-
-fn is_sliver(points: &[DVec2], [a, b, c]: [u32; 3]) -> bool {
-    let [a, b, c] = [a, b, c].map(|agent| points[agent as usize]);
-    let longest_squared = a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a));
-    let height_times_longest = (b - a).perp_dot(c - a).abs();
-    height_times_longest <= SLIVER_TOLERANCE * longest_squared
-}
-
-/// Ties each agent to the next along the line they stand on.
-fn chain(points: &[DVec2], agents: &[u32]) -> Vec<Edge> {
-    let standing: Vec<DVec2> = agents.iter().map(|&agent| points[agent as usize]).collect();
-    let along = DVec2::from_angle(principal_axes(&standing).angle);
-    let place = |agent: u32| (along.dot(points[agent as usize]), along.perp_dot(points[agent as usize]));
-    let mut ordered = agents.to_vec();
-    ordered.sort_by(|&a, &b| {
-        let ((a_along, a_across), (b_along, b_across)) = (place(a), place(b));
-        a_along.total_cmp(&b_along).then(a_across.total_cmp(&b_across))
-    });
-    ordered.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1]))).collect()
-}
-
-/// Ties what the subdivision cut off by the shortest raw edges that lead out of it, the lowest indices among equally short ones.
-fn join_components(points: &[DVec2], agents: &[u32], raw: Vec<Edge>, edges: &mut Vec<Edge>) {
-    let mut components = Components::new(points.len());
-    let mut missing = agents.len() - 1;
-    for &(a, b) in edges.iter() {
-        missing -= usize::from(components.join(a, b));
-    }
-    if missing == 0 {
-        return;
-    }
-    let length = |(a, b): Edge| points[a as usize].distance(points[b as usize]);
-    let mut raw: Vec<(f64, Edge)> = raw.into_iter().map(|edge| (length(edge), edge)).collect();
-    raw.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
-    let mut rest = &mut raw[..];
-    while missing > 0 && !rest.is_empty() {
-        let limit = rest[0].0 * (1.0 + EQUAL_LENGTH_TOLERANCE);
-        let (equal, longer) = rest.split_at_mut(rest.partition_point(|edge| edge.0 <= limit));
-        equal.sort_unstable_by_key(|edge| edge.1);
-        for &mut (_, (a, b)) in equal {
-            if components.join(a, b) {
-                edges.push((a, b));
-                missing -= 1;
-            }
-        }
-        rest = longer;
-    }
-    assert_eq!(missing, 0, "a triangulation connects its agents");
+    let farthest = |measure: &dyn Fn(DVec3) -> f64| points.iter().copied().max_by(|&p, &q| measure(p).total_cmp(&measure(q)));
+    let a = farthest(&|point| point.distance_squared(first))?;
+    let b = farthest(&|point| point.distance_squared(a))?;
+    let along = (b - a).normalize();
+    let off = |point: DVec3| (point - a).reject_from_normalized(along);
+    let across = farthest(&|point| off(point).length_squared()).map(off)?;
+    let across = across.try_normalize().unwrap_or_else(|| along.any_orthonormal_vector());
+    let normal = along.cross(across);
+    let is_flat = points.iter().all(|&point| normal.dot(point - a).abs() <= SLIVER_TOLERANCE);
+    is_flat.then(|| points.iter().map(|&point| DVec2::new(along.dot(point), across.dot(point))).collect())
 }
 
 #[cfg(test)]
@@ -140,6 +64,15 @@ mod tests {
 
     fn check(points: &[[f64; 2]], expected: &[Edge]) {
         assert_eq!(propose(&Formation::from(points.to_vec())), expected, "{points:?}");
+    }
+
+    /// The same in three dimensions.
+    fn check_in_space(points: &[[f64; 3]], expected: &[Edge]) {
+        assert_eq!(propose(&in_space(points)), expected, "{points:?}");
+    }
+
+    fn in_space(points: &[[f64; 3]]) -> Formation {
+        Formation::spatial(points.iter().map(|&[x, y, _]| DVec2::new(x, y)).collect(), points.iter().map(|point| point[2]).collect())
     }
 
     #[test]
@@ -199,5 +132,61 @@ mod tests {
         let points = [[0.0, 0.0], [10.0, 0.0], [5.0, 5.0], [5.0 + 1e-6, 5.0], [5.0 + 3e-6, 5.0]];
         let edges = propose(&Formation::from(points.to_vec()));
         assert!(edges.contains(&(2, 3)), "{edges:?}");
+    }
+
+    #[test]
+    fn a_cube_keeps_its_edges_and_a_block_its_cells() {
+        let cube: Vec<[f64; 3]> = (0..8).map(|i| [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)]).collect();
+        let mut edges: Vec<Edge> = (0..8).flat_map(|a| [1, 2, 4].map(|step| (a, a | step))).filter(|(a, b)| a != b).collect();
+        edges.sort_unstable();
+        check_in_space(&cube, &edges);
+        let block: Vec<[f64; 3]> = (0..27).map(|i| [i % 3, i / 3 % 3, i / 9].map(f64::from)).collect();
+        let expected = (0..27).flat_map(|a: u32| [1, 3, 9].map(|step| (a, a + step)));
+        let is_cell = |&(a, b): &Edge| b < 27 && (a / 9 == b / 9 || b - a == 9) && (a / 3 == b / 3 || b - a != 1);
+        check_in_space(&block, &expected.filter(is_cell).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn an_octahedron_has_no_diagonal_and_its_middle_ties_everybody() {
+        let corners = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+        let rim: Vec<Edge> = (0..6).flat_map(|b| (0..b).map(move |a| (a, b))).filter(|(a, b)| a / 2 != b / 2).collect();
+        let sorted = |mut edges: Vec<Edge>| {
+            edges.sort_unstable();
+            edges
+        };
+        check_in_space(&corners, &sorted(rim.clone()));
+        let spokes = (0..6).map(|agent| (agent, 6));
+        check_in_space(&[&corners[..], &[[0.0; 3]]].concat(), &sorted(rim.into_iter().chain(spokes).collect()));
+    }
+
+    #[test]
+    fn a_tilted_plane_is_a_plane_and_a_tilted_line_a_line() {
+        let tilted = |x: f64, y: f64| [x, y, 0.3 * x - 2.0 * y];
+        let square = [tilted(0.0, 0.0), tilted(1.0, 0.0), tilted(1.0, 1.0), tilted(0.0, 1.0)];
+        // Slanted, its sides no longer meet at right angles and its shorter diagonal stays.
+        check_in_space(&square, &[(0, 1), (0, 2), (0, 3), (1, 2), (2, 3)]);
+        check_in_space(&[[0.0; 3], [3.0, 6.0, 9.0], [1.0, 2.0, 3.0], [2.0, 4.0, 6.0]], &[(0, 2), (1, 3), (2, 3)]);
+        check_in_space(&[[0.0, 0.0, 0.0], [0.0, 0.0, 2.0], [0.0, 0.0, 1.0]], &[(0, 2), (1, 2)]);
+    }
+
+    #[test]
+    fn twins_in_space_are_tied_to_the_lowest() {
+        check_in_space(&[[1.0, 1.0, 5.0]; 3], &[(0, 1), (0, 2)]);
+        let tetrahedron = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0], [4.0, 0.0, 1e-10]];
+        check_in_space(&tetrahedron, &[(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (1, 4), (2, 3)]);
+    }
+
+    #[test]
+    fn a_pair_that_nobody_can_tell_apart_is_still_joined_to_the_rest() {
+        let mut points = vec![[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0], [0.0, 0.0, 10.0], [3.0, 3.0, 3.0]];
+        points.push([3.0 + 1e-7, 3.0, 3.0]);
+        let edges = propose(&in_space(&points));
+        assert!(edges.contains(&(4, 5)) && edges.iter().any(|&(a, b)| a < 4 && b >= 4), "{edges:?}");
+    }
+
+    #[test]
+    fn heights_all_alike_change_nothing() {
+        let plan: Vec<DVec2> = (0..40).map(|i| DVec2::from_angle(f64::from(i)) * (1.0 + 0.3 * f64::from(i))).collect();
+        assert_eq!(propose(&Formation::spatial(plan.clone(), vec![0.1; 40])), propose(&Formation::new(plan)));
     }
 }

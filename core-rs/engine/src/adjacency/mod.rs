@@ -7,8 +7,11 @@ mod build;
 mod coincidence;
 mod components;
 mod delaunay;
+mod facets;
+mod joining;
 mod laplacian;
 mod spec;
+mod subdivision;
 mod triangulation;
 
 pub(crate) use components::Components;
@@ -16,6 +19,9 @@ pub(crate) use components::Components;
 pub use build::{COMPLETE_GROUP_LIMIT, GroupTie, TIE_LIMIT, TooManyTies, build, expanded_tie_count};
 pub use delaunay::{COINCIDENCE_TOLERANCE, propose};
 pub use spec::{AdjacencySpec, Base, Weights};
+
+/// Two agents, lower first.
+type Edge = (u32, u32);
 
 /// One tie of the graph.
 #[derive(Clone, Copy, Debug, PartialEq)]

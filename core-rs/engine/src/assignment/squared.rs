@@ -2,9 +2,9 @@
 
 use glam::DVec2;
 
-use super::Assignment;
 use super::augment::{Search, bearable_prices_into};
 use super::costs::{Costs, SquaredDistances};
+use super::{Assignment, solve};
 use crate::formation::Formation;
 
 /// Below this many agents a coarse problem costs more than it saves.
@@ -20,11 +20,22 @@ const COARSE_WORTHWHILE: f64 = 0.2;
 /// # Panics
 /// When the formations differ in number.
 pub fn squared(source: &Formation, target: &Formation) -> Assignment {
+    if !source.places().is_level() || !target.places().is_level() {
+        return squared_in_space(source, target);
+    }
     // Moving a formation as a whole changes the cost of every assignment alike, and the nearer they are, the less there is to search.
     let costs = SquaredDistances::new(centered(source), &centered(target));
     let mut search = start(&costs);
     search.finish();
     search.into_assignment()
+}
+
+/// Without the speed of the plane, which most scenes are in.
+fn squared_in_space(source: &Formation, target: &Formation) -> Assignment {
+    assert_eq!(source.agent_count(), target.agent_count(), "as many sources as targets");
+    // About both barycenters: moving a formation as a whole changes the cost of every assignment alike.
+    let [from, to] = [source, target].map(|formation| formation.places().about_barycenter());
+    solve(from.len(), |agent, slot| from[agent].distance_squared(to[slot]))
 }
 
 /// Positions about the barycenter, rounded so coarsely that coordinates on a grid stay exact and ties stay ties.

@@ -4,10 +4,12 @@
 
 mod axes;
 mod neighbors;
+mod places;
 mod spacing;
 
 pub use axes::{PrincipalAxes, principal_axes};
 pub use neighbors::{PairSearch, near_pair};
+pub use places::Places;
 
 use glam::DVec2;
 

@@ -1,10 +1,11 @@
 //! Pairs of points near one another.
 //!
-//! A sparse grid: cells are kept by sorting, so a point far away from all others costs nothing.
+//! A sparse grid: cells are kept by sorting, so a point far away from all others costs nothing. It lies in plan: in space nobody is
+//! nearer than seen from above, so what is near is among what it visits.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
-use super::bounds;
+use super::{Places, bounds};
 
 /// Cells a side at most: row and column take 20 bits each.
 const CELLS_A_SIDE: f64 = (1u32 << 19) as f64;
@@ -76,12 +77,13 @@ impl PairSearch {
     }
 }
 
-/// Two points that are near one another, though not always the nearest: what they are apart bounds the least distance from above.
-/// The lower index first; none below two points.
-pub fn near_pair(points: &[DVec2]) -> Option<(u32, u32)> {
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    let at = |agent: u32| points[agent as usize];
-    order.sort_unstable_by(|&a, &b| at(a).x.total_cmp(&at(b).x).then(at(a).y.total_cmp(&at(b).y)).then(a.cmp(&b)));
+/// Two agents that are near one another, though not always the nearest: what they are apart bounds the least distance from above.
+/// The lower index first; none below two agents.
+pub fn near_pair(places: Places<'_>) -> Option<(u32, u32)> {
+    let mut order: Vec<u32> = (0..places.agent_count() as u32).collect();
+    let at = |agent: u32| places.at(agent as usize);
+    let by_place = |p: DVec3, q: DVec3| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z));
+    order.sort_unstable_by(|&a, &b| by_place(at(a), at(b)).then(a.cmp(&b)));
     let distance = |pair: (u32, u32)| at(pair.0).distance_squared(at(pair.1));
     let pairs = order.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1])));
     pairs.min_by(|&p, &q| distance(p).total_cmp(&distance(q)))

@@ -5,8 +5,8 @@ use super::{Formation, PairSearch};
 impl Formation {
     /// The root of the mean squared distance from the barycenter, meters; 0 for no agents.
     pub fn rms_radius(&self) -> f64 {
-        let middle = self.barycenter();
-        let sum: f64 = self.positions().iter().map(|position| position.distance_squared(middle)).sum();
+        let middle = self.places().barycenter();
+        let sum: f64 = self.places().iter().map(|place| place.distance_squared(middle)).sum();
         if self.agent_count() == 0 { 0.0 } else { (sum / self.agent_count() as f64).sqrt() }
     }
 
@@ -17,14 +17,15 @@ impl Formation {
         if agent_count < 2 {
             return None;
         }
-        let extent = self.extent();
+        let (places, extent) = (self.places(), self.extent());
         let mut search = PairSearch::default();
         let mut nearest = vec![f64::INFINITY; agent_count];
         // What is found within the radius is final, so the radius grows only until it has found the middle.
         let mut radius = extent / agent_count as f64;
         loop {
-            search.for_each_within(self.positions(), radius, |a, b, distance_squared| {
-                for agent in [a, b] {
+            search.for_each_within(self.positions(), radius, |a, b, _| {
+                let distance_squared = places.at(a as usize).distance_squared(places.at(b as usize));
+                for agent in [a, b].into_iter().filter(|_| distance_squared <= radius * radius) {
                     let nearest = &mut nearest[agent as usize];
                     *nearest = nearest.min(distance_squared);
                 }

@@ -1,6 +1,7 @@
 //! How far ties are from the lengths that are due.
 
 use crate::adjacency::Adjacency;
+use crate::formation::Places;
 use crate::motion::Motion;
 
 /// A tie that is due this short, relative to the extent, has no length to be true to.
@@ -24,7 +25,7 @@ struct Due {
 impl Distortion {
     /// Reference lengths are those of the motion's first and last sample.
     pub(super) fn new(motion: &Motion, graphs: [&Adjacency; 2]) -> Self {
-        let [first, last] = [motion.sample(0), motion.sample(motion.times().len() - 1)];
+        let [first, last] = [0, motion.times().len() - 1].map(|k| motion.places(k));
         let mut halves: Vec<(u32, u32, f64)> =
             graphs.iter().flat_map(|graph| graph.ties()).map(|tie| (tie.a, tie.b, 0.5 * tie.weight)).collect();
         halves.sort_by_key(|&(a, b, _)| (a, b));
@@ -33,7 +34,7 @@ impl Distortion {
             .map(|same| {
                 let (a, b) = (same[0].0 as usize, same[0].1 as usize);
                 let weight = same.iter().map(|half| half.2).sum();
-                Due { a, b, weight, start: first[a].distance(first[b]), end: last[a].distance(last[b]) }
+                Due { a, b, weight, start: first.distance(a, b), end: last.distance(a, b) }
             })
             .collect();
         Self { ties, least_length: NO_LENGTH * motion.extent() }
@@ -41,17 +42,17 @@ impl Distortion {
 
     /// D(t) at every sample: Σ w |length / due length − 1| / Σ w, the due length running straight from end to end; 0 without ties.
     pub(super) fn curve(&self, motion: &Motion, ts: &[f64]) -> Vec<f64> {
-        ts.iter().enumerate().map(|(k, t)| self.at(motion.sample(k), *t)).collect()
+        ts.iter().enumerate().map(|(k, t)| self.at(motion.places(k), *t)).collect()
     }
 
-    fn at(&self, positions: &[glam::DVec2], t: f64) -> f64 {
+    fn at(&self, places: Places<'_>, t: f64) -> f64 {
         let (mut sum, mut weights) = (0.0, 0.0);
         for tie in &self.ties {
             let due = (1.0 - t) * tie.start + t * tie.end;
             if due < self.least_length || due == 0.0 {
                 continue;
             }
-            sum += tie.weight * (positions[tie.a].distance(positions[tie.b]) / due - 1.0).abs();
+            sum += tie.weight * (places.distance(tie.a, tie.b) / due - 1.0).abs();
             weights += tie.weight;
         }
         if weights > 0.0 { sum / weights } else { 0.0 }

@@ -1,13 +1,13 @@
 //! How much agents change their heading.
 
-use glam::DVec2;
+use glam::DVec3;
 
 /// A step shorter than this, relative to the extent, has no heading.
 const NO_HEADING: f64 = 1e-6;
 
 /// Every agent's last heading and what it has turned so far.
 pub(super) struct Headings {
-    last: Vec<Option<DVec2>>,
+    last: Vec<Option<DVec3>>,
     turning: Vec<f64>,
     least_step: f64,
 }
@@ -18,11 +18,11 @@ impl Headings {
     }
 
     /// Takes the agent's next step; answers by how much its heading changed, radians ≥ 0. A step without a heading leaves the last.
-    pub(super) fn step(&mut self, agent: usize, step: DVec2, length: f64) -> f64 {
+    pub(super) fn step(&mut self, agent: usize, step: DVec3, length: f64) -> f64 {
         if length <= self.least_step {
             return 0.0;
         }
-        let change = self.last[agent].map_or(0.0, |last| last.perp_dot(step).atan2(last.dot(step)).abs());
+        let change = self.last[agent].map_or(0.0, |last| last.cross(step).length().atan2(last.dot(step)));
         self.last[agent] = Some(step);
         self.turning[agent] += change;
         change

@@ -6,7 +6,6 @@ mod distortion;
 mod headings;
 mod score;
 
-use glam::DVec2;
 use serde::Serialize;
 
 use crate::adjacency::Adjacency;
@@ -137,9 +136,8 @@ fn extreme(values: &[f64]) -> Extreme {
 fn rms_radii(motion: &Motion) -> Range {
     let count = motion.agent_count().max(1) as f64;
     let radius = |k: usize| {
-        let at = motion.sample(k);
-        let center = at.iter().sum::<DVec2>() / count;
-        (at.iter().map(|p| p.distance_squared(center)).sum::<f64>() / count).sqrt()
+        let center = motion.places(k).barycenter();
+        (motion.places(k).iter().map(|p| p.distance_squared(center)).sum::<f64>() / count).sqrt()
     };
     let none = Range { min: f64::INFINITY, max: 0.0 };
     (0..motion.times().len()).map(radius).fold(none, |range, r| Range { min: range.min.min(r), max: range.max.max(r) })
@@ -165,8 +163,8 @@ fn walk(motion: &Motion) -> Walk {
     for k in 1..times.len() {
         let seconds = times[k] - times[k - 1];
         let (mut turned, mut fastest, mut walked) = (0.0, 0.0, 0.0);
-        for (agent, (from, to)) in motion.sample(k - 1).iter().zip(motion.sample(k)).enumerate() {
-            let step = *to - *from;
+        for (agent, (from, to)) in motion.places(k - 1).iter().zip(motion.places(k).iter()).enumerate() {
+            let step = to - from;
             let length = step.length();
             turned += headings.step(agent, step, length);
             path_length[agent] += length;
@@ -192,6 +190,8 @@ fn walk(motion: &Motion) -> Walk {
 #[cfg(test)]
 mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
+
+    use glam::DVec2;
 
     use super::*;
     use crate::adjacency::Tie;
@@ -223,6 +223,16 @@ mod tests {
         assert_eq!(measures.path_length, Extreme { mean: 1.5, max: 3.0 });
         assert_eq!(measures.top_speed, TopSpeed { speed: 2.0, time: 1.5, agent: 0 });
         assert_eq!(curves.path_length, [0.0, 0.5, 1.5]);
+    }
+
+    #[test]
+    fn climbing_is_a_turn_and_a_way_as_any() {
+        let plan = [(0.0, 0.0), (3.0, 0.0), (3.0, 0.0)].map(DVec2::from).to_vec();
+        let motion = Motion::spatial(vec![0.0, 1.0, 2.0], 1, plan, vec![0.0, 4.0, 9.0]);
+        let measures = measured(&motion, &tied(1, &[]), 0.0).0;
+        assert_eq!(measures.path_length.max, 10.0);
+        // From 4 in 5 upward to straight up.
+        assert!((measures.turning.max - (0.8_f64).acos()).abs() < 1e-15);
     }
 
     #[test]

@@ -50,13 +50,13 @@ fn nearness(motion: &Motion, minimum_distance: f64) -> Nearness {
     let mut least = None;
     let mut crowding = 0.0;
     for k in 0..motion.times().len() {
-        let at = motion.sample(k);
+        let at = motion.places(k);
         let Some((a, b)) = near_pair(at) else { continue };
         // Any pair bounds the least distance from above.
-        let bound = at[a as usize].distance(at[b as usize]).min(least.unwrap_or(f64::INFINITY));
+        let bound = at.distance(a as usize, b as usize).min(least.unwrap_or(f64::INFINITY));
         let mut nearest: f64 = bound;
-        search.for_each_within(at, bound.max(minimum_distance), |_, _, distance_squared| {
-            let distance = distance_squared.sqrt();
+        search.for_each_within(at.plan(), bound.max(minimum_distance), |a, b, _| {
+            let distance = at.distance(a as usize, b as usize);
             nearest = nearest.min(distance);
             if distance < minimum_distance {
                 crowding += 1.0 - distance / minimum_distance;

@@ -3,11 +3,13 @@
 //! Exact: every pair that could be the nearest in a piece is tried analytically. Few could, and mostly those of the piece before, so
 //! they are listed once for as many pieces as nobody has moved far enough to break the list.
 
-use glam::DVec2;
+use std::ops::Sub;
+
+use glam::{DVec2, DVec3};
 
 use super::Motion;
 use super::pair_list::PairList;
-use crate::formation::near_pair;
+use crate::formation::{Places, near_pair};
 
 /// Distances that differ by less are one, meters: the earlier moment and the lower indices are named then. A formation that keeps its
 /// shape would otherwise name whatever rounding picks, and that is not the same on every machine.
@@ -51,7 +53,7 @@ pub fn closeness(motion: &Motion, limit: f64) -> Closeness {
     if sample_count == 0 {
         return result;
     }
-    let Some(mut pair) = near_pair(motion.sample(0)) else { return result };
+    let Some(mut pair) = near_pair(motion.places(0)) else { return result };
     let mut list = PairList::default();
     let limit = limit.max(0.0);
     for k in 1..sample_count {
@@ -87,22 +89,31 @@ struct Nearest {
 impl<'a> Piece<'a> {
     /// `pair` bounds the distance from above; the nearest of the piece before is a good one.
     fn new(motion: &'a Motion, start: usize, end: usize, pair: (u32, u32), limit: f64) -> Self {
-        let (from, to) = apart([motion.sample(start), motion.sample(end)], pair);
-        let (distance_squared, t) = nearest_approach(from, to);
+        let ends = [motion.places(start), motion.places(end)];
+        let (distance_squared, t) = nearest_approach(apart_in_space(ends, pair));
         let nearest = Nearest { distance: distance_squared.sqrt(), t, pair };
         Self { motion, samples: [start, end], limit, nearest, near_count: 0 }
     }
 
     fn search(&mut self, list: &mut PairList) {
-        let ends = self.samples.map(|k| self.motion.sample(k));
+        let ends = self.samples.map(|k| self.motion.places(k));
+        if self.motion.heights().is_none() {
+            self.try_pairs(list, |pair| apart(ends.map(Places::plan), pair));
+        } else {
+            self.try_pairs(list, |pair| apart_in_space(ends, pair));
+        }
+    }
+
+    /// `apart` tells what separates a pair at both ends.
+    fn try_pairs<V: Separation>(&mut self, list: &mut PairList, apart: impl Fn((u32, u32)) -> [V; 2]) {
         let radius = self.limit.max(self.nearest.distance + SAME_DISTANCE);
         let (nearest, near_count) = (&mut self.nearest, &mut self.near_count);
         let limit_squared = self.limit * self.limit;
         let mut bound_squared = (nearest.distance + SAME_DISTANCE).powi(2);
         list.for_each(self.motion, self.samples, radius, |a, b| {
-            let (from, to) = apart(ends, (a, b));
-            *near_count += usize::from(from.length_squared() < limit_squared);
-            let (distance_squared, t) = nearest_approach(from, to);
+            let [from, to] = apart((a, b));
+            *near_count += usize::from(from.dot(from) < limit_squared);
+            let (distance_squared, t) = nearest_approach([from, to]);
             if distance_squared <= bound_squared {
                 nearest.offer(distance_squared.sqrt(), t, (a, b));
                 bound_squared = (nearest.distance + SAME_DISTANCE).powi(2);
@@ -126,24 +137,57 @@ impl Nearest {
     }
 }
 
-/// What separates a pair at both ends of a piece.
-fn apart(ends: [&[DVec2]; 2], (a, b): (u32, u32)) -> (DVec2, DVec2) {
-    let [from, to] = ends.map(|at| at[a as usize] - at[b as usize]);
-    (from, to)
+/// What separates two agents at one instant, in plan or in space: most motions are in plan, and most of the time goes here.
+trait Separation: Copy + Sub<Output = Self> {
+    fn dot(self, other: Self) -> f64;
+
+    /// This and so much of a change.
+    fn changed(self, t: f64, change: Self) -> Self;
+}
+
+impl Separation for DVec2 {
+    fn dot(self, other: Self) -> f64 {
+        self.dot(other)
+    }
+
+    fn changed(self, t: f64, change: Self) -> Self {
+        self + t * change
+    }
+}
+
+impl Separation for DVec3 {
+    fn dot(self, other: Self) -> f64 {
+        self.dot(other)
+    }
+
+    fn changed(self, t: f64, change: Self) -> Self {
+        self + t * change
+    }
+}
+
+/// What separates a pair at both ends of a piece in plan.
+fn apart(ends: [&[DVec2]; 2], (a, b): (u32, u32)) -> [DVec2; 2] {
+    ends.map(|at| at[a as usize] - at[b as usize])
+}
+
+/// The same in space.
+fn apart_in_space(ends: [Places<'_>; 2], (a, b): (u32, u32)) -> [DVec3; 2] {
+    ends.map(|places| places.at(a as usize) - places.at(b as usize))
 }
 
 /// The least squared length between two separations, and when, 0–1: the start when it stays the same.
-fn nearest_approach(from: DVec2, to: DVec2) -> (f64, f64) {
+fn nearest_approach<V: Separation>([from, to]: [V; 2]) -> (f64, f64) {
     let change = to - from;
     let closing = -from.dot(change);
-    let change_squared = change.length_squared();
+    let change_squared = change.dot(change);
     if closing <= 0.0 {
-        (from.length_squared(), 0.0)
+        (from.dot(from), 0.0)
     } else if closing >= change_squared {
-        (to.length_squared(), 1.0)
+        (to.dot(to), 1.0)
     } else {
         let t = closing / change_squared;
-        ((from + t * change).length_squared(), t)
+        let nearest = from.changed(t, change);
+        (nearest.dot(nearest), t)
     }
 }
 
@@ -168,7 +212,7 @@ mod tests {
     #[test]
     fn a_pair_is_nearest_where_it_passes() {
         let check = |from: [f64; 2], to: [f64; 2], distance: f64, t: f64| {
-            let (found, when) = nearest_approach(DVec2::from_array(from), DVec2::from_array(to));
+            let (found, when) = nearest_approach([from, to].map(DVec2::from_array));
             assert!((found.sqrt() - distance).abs() < 1e-15 && (when - t).abs() < 1e-15, "{from:?} to {to:?}: {found} at {when}");
         };
         check([-1.0, 0.5], [1.0, 0.5], 0.5, 0.5);
@@ -218,22 +262,31 @@ mod tests {
         })
     }
 
+    /// The same, in space: heights are borrowed from the places of another motion.
+    fn motions_in_space() -> impl Strategy<Value = Motion> {
+        let lifted = |plan: Motion, shift: f64| {
+            let heights = plan.positions().iter().map(|p| (p.y - shift * p.x) / 2.0).collect();
+            Motion::spatial(plan.times().to_vec(), plan.agent_count(), plan.positions().to_vec(), heights)
+        };
+        (motions(), -3.0..3.0f64).prop_map(move |(plan, shift)| lifted(plan, shift.round()))
+    }
+
     proptest! {
         #[test]
-        fn the_nearest_of_all_pairs_is_found(motion in motions(), limit in prop_oneof![Just(0.0), 0.0..3.0f64, Just(1e6)]) {
+        fn the_nearest_of_all_pairs_is_found(motion in prop_oneof![motions(), motions_in_space()], limit in prop_oneof![Just(0.0), 0.0..3.0f64, Just(1e6)]) {
             let agent_count = motion.agent_count() as u32;
             let pairs: Vec<_> = (0..agent_count).flat_map(|a| (a + 1..agent_count).map(move |b| (a, b))).collect();
             let found = closeness(&motion, limit);
             for (k, approach) in found.approaches.iter().enumerate() {
-                let ends = [motion.sample(k), motion.sample(k + 1)];
-                let distance = |&pair: &(u32, u32)| { let (from, to) = apart(ends, pair); nearest_approach(from, to).0.sqrt() };
+                let ends = [motion.places(k), motion.places(k + 1)];
+                let distance = |&pair: &(u32, u32)| nearest_approach(apart_in_space(ends, pair)).0.sqrt();
                 let least = pairs.iter().map(distance).fold(f64::INFINITY, f64::min);
                 prop_assert_eq!(approach.distance, least);
                 // The bounding pair may be as much above the least as a tie allows, and a lower pair above that.
                 let first = pairs.iter().find(|pair| distance(pair) <= least + 1e-12).unwrap();
                 prop_assert!(approach.agents <= *first && distance(&approach.agents) <= least + 2.0 * SAME_DISTANCE);
             }
-            let is_near = |k: usize, pair: (u32, u32)| apart([motion.sample(k); 2], pair).0.length_squared() < limit * limit;
+            let is_near = |k: usize, pair: (u32, u32)| apart_in_space([motion.places(k); 2], pair)[0].length_squared() < limit * limit;
             let near = |k: usize| pairs.iter().filter(|pair| is_near(k, **pair)).count();
             prop_assert_eq!(found.near_count, (0..motion.times().len()).map(near).sum::<usize>());
         }

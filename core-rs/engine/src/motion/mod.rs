@@ -7,7 +7,7 @@ mod pair_list;
 
 use glam::DVec2;
 
-use crate::formation::rise;
+use crate::formation::{Places, rise};
 
 pub use closest::{Approach, Closeness, closeness};
 
@@ -44,6 +44,17 @@ impl Motion {
         Self { heights: Some(heights), ..Self::new(times, agent_count, positions) }
     }
 
+    /// In space where there are heights, else on the plane.
+    ///
+    /// # Panics
+    /// As [`Self::spatial`].
+    pub fn sampled(times: Vec<f64>, agent_count: usize, positions: Vec<DVec2>, heights: Option<Vec<f64>>) -> Self {
+        match heights {
+            Some(heights) => Self::spatial(times, agent_count, positions, heights),
+            None => Self::new(times, agent_count, positions),
+        }
+    }
+
     /// Sample times, seconds, ascending.
     pub fn times(&self) -> &[f64] {
         &self.times
@@ -72,6 +83,11 @@ impl Motion {
     /// Heights by agent at sample `k`; none on the plane.
     pub fn sample_heights(&self, k: usize) -> Option<&[f64]> {
         self.heights.as_ref().map(|heights| &heights[k * self.agent_count..(k + 1) * self.agent_count])
+    }
+
+    /// Where everybody is at sample `k`.
+    pub fn places(&self, k: usize) -> Places<'_> {
+        Places::new(self.sample(k), self.sample_heights(k))
     }
 
     /// The diagonal of the box that holds every sample, meters.
