@@ -7,7 +7,7 @@ import {
   Mesh,
   ShaderMaterial,
 } from "three";
-import { BODY_FRAGMENT, CONE_VERTEX, DISC_VERTEX, FIGURE_VERTEX } from "./body-shader";
+import { BODY_FRAGMENT, FIGURE_VERTEX, SOLID_VERTEX } from "./body-shader";
 import { figureShape } from "./figure";
 import type { Instances } from "./instances";
 import type { BodySizes } from "./sizes";
@@ -37,8 +37,8 @@ export interface Bodies {
 
 export function createBodies(instances: Instances): Bodies {
   const meshes: Readonly<Record<BodyKind, Mesh<InstancedBufferGeometry, ShaderMaterial>>> = {
-    discs: bodyMesh(discGeometry(), DISC_VERTEX, instances),
-    cones: bodyMesh(coneGeometry(), CONE_VERTEX, instances),
+    discs: bodyMesh(discGeometry(instances.count), SOLID_VERTEX, instances),
+    cones: bodyMesh(coneGeometry(instances.count), SOLID_VERTEX, instances),
     figures: bodyMesh(figureGeometry(instances.count), FIGURE_VERTEX, instances),
   };
   const all = Object.values(meshes);
@@ -48,7 +48,8 @@ export function createBodies(instances: Instances): Bodies {
       for (const mesh of all) mesh.visible = mesh === meshes[kind];
       uniform(meshes.discs, "size", sizes.disc);
       uniform(meshes.cones, "size", sizes.disc);
-      uniform(meshes.cones, "axle", CONE.height);
+      // A cone's axis is as high as it is thick: it lies on the ground.
+      uniform(meshes.cones, "lift", CONE.height);
       uniform(meshes.figures, "size", sizes.figure);
     },
     setTheme(isDark) {
@@ -78,7 +79,7 @@ function bodyMesh(
   vertexShader: string,
   instances: Instances,
 ): Mesh<InstancedBufferGeometry, ShaderMaterial> {
-  const uniforms = { size: { value: 1 }, axle: { value: 0 }, shade: { value: 1 } };
+  const uniforms = { size: { value: 1 }, lift: { value: 0 }, shade: { value: 1 } };
   const material = new ShaderMaterial({ vertexShader, fragmentShader: BODY_FRAGMENT, uniforms });
   const mesh = new Mesh(instanced(shape, instances), material);
   // Its bounds are those of one body; where the others are only the shader knows.
@@ -92,20 +93,19 @@ function uniform({ material }: Mesh<InstancedBufferGeometry, ShaderMaterial>, na
   if (found) found.value = value;
 }
 
-function discGeometry(): BufferGeometry {
-  const edge = 0.94;
-  const geometry = new CylinderGeometry(edge, 1, DISC_HEIGHT, 28, 1);
+function discGeometry(count: number): BufferGeometry {
+  const geometry = new CylinderGeometry(0.94, 1, DISC_HEIGHT, count > CROWD ? 14 : 28, 1);
   return geometry.rotateX(Math.PI / 2).translate(0, 0, DISC_HEIGHT / 2);
 }
 
 /** Its tip along x. */
-function coneGeometry(): BufferGeometry {
-  const geometry = new ConeGeometry(1, CONE.length, 24, 1);
+function coneGeometry(count: number): BufferGeometry {
+  const geometry = new ConeGeometry(1, CONE.length, count > CROWD ? 10 : 24, 1);
   return geometry.rotateZ(-Math.PI / 2).scale(1, CONE.breadth, CONE.height);
 }
 
 function figureGeometry(count: number): BufferGeometry {
-  const { corners, parts, triangles } = figureShape(count > CROWD ? 5 : 9);
+  const { corners, parts, triangles } = figureShape(count > CROWD ? 4 : 9);
   const geometry = new InstancedBufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(corners, 3));
   geometry.setAttribute("part", new BufferAttribute(parts, 2));

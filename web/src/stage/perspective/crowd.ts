@@ -20,7 +20,7 @@ const FIGURE_RADIUS = 0.17;
 export interface Crowd {
   readonly count: number;
   readonly group: Group;
-  /** x, y, z and heading an agent. */
+  /** x, y, z an agent. */
   readonly place: Float32Array;
   /** Everybody at `time`; allocates nothing. */
   pose(show: Show, time: number, kind: BodyKind, sizes: BodySizes): void;
@@ -45,7 +45,7 @@ export function createCrowd(count: number): Crowd {
     place: instances.place,
     pose(show, time, kind, sizes) {
       movement.poseInto(show, time, kind, sizes, instances);
-      instances.moved();
+      instances.moved(kind === "figures");
       bodies.show(kind, sizes);
       marks.setRadius(markRadius(kind, sizes));
     },

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { figureShape, HEIGHTS, JOINT } from "./figure";
+import { figureShape, HEIGHTS, LIMB } from "./figure";
 
-const { corners, parts, triangles } = figureShape(5);
+const { corners, parts, triangles } = figureShape(4);
 const corner = (index: number) => [...corners.subarray(3 * index, 3 * index + 3)];
 const indices = [...Array(corners.length / 3).keys()];
 
@@ -34,10 +34,19 @@ describe("the walking figure", () => {
   });
 
   it("its right is the mirror of its left", () => {
-    const reach = (side: number) =>
-      Math.max(...indices.filter((i) => parts[2 * i] === side).map((i) => side * (corner(i)[1] ?? 0)));
-    // The ring of corners has an odd number, so that it is not itself a mirror of its own.
-    expect(reach(1)).toBeCloseTo(reach(-1), 1);
+    const side = (limb: number) => indices.filter((index) => parts[2 * index] === limb).map(corner);
+    for (const [left, right] of [
+      [LIMB.leftLeg, LIMB.rightLeg],
+      [LIMB.leftArm, LIMB.rightArm],
+    ] as const) {
+      const mirrored = side(left).map(([x = 0, y = 0, z = 0]) => [x, -y, z]);
+      for (const place of side(right)) {
+        const near = mirrored.some(
+          (other) => Math.hypot(...place.map((value, axis) => value - (other[axis] ?? 0))) < 1e-6,
+        );
+        expect(near).toBe(true);
+      }
+    }
   });
 
   it("is closed toward the eye: every triangle faces outward from its limb", () => {
@@ -56,15 +65,16 @@ describe("the walking figure", () => {
   });
 
   it("limbs reach their joints, so that bending leaves no hole", () => {
-    const span = (joint: number) => {
-      const heights = indices.filter((i) => parts[2 * i + 1] === joint).map((i) => corner(i)[2] ?? 0);
+    const span = (limb: number, below: 0 | 1) => {
+      const own = indices.filter((index) => parts[2 * index] === limb && parts[2 * index + 1] === below);
+      const heights = own.map((index) => corner(index)[2] ?? 0);
       return [Math.min(...heights), Math.max(...heights)] as const;
     };
-    expect(span(JOINT.thigh)[0]).toBeLessThan(HEIGHTS.knee);
-    expect(span(JOINT.shin)[1]).toBeGreaterThan(HEIGHTS.knee);
-    expect(span(JOINT.thigh)[1]).toBeGreaterThan(HEIGHTS.hip);
-    expect(span(JOINT.upperArm)[0]).toBeLessThan(HEIGHTS.elbow);
-    expect(span(JOINT.forearm)[1]).toBeGreaterThan(HEIGHTS.elbow);
+    expect(span(LIMB.leftLeg, 0)[0]).toBeLessThan(HEIGHTS.knee);
+    expect(span(LIMB.leftLeg, 1)[1]).toBeGreaterThan(HEIGHTS.knee);
+    expect(span(LIMB.leftLeg, 0)[1]).toBeGreaterThan(HEIGHTS.hip);
+    expect(span(LIMB.leftArm, 0)[0]).toBeLessThan(HEIGHTS.elbow);
+    expect(span(LIMB.leftArm, 1)[1]).toBeGreaterThan(HEIGHTS.elbow);
   });
 
   it("a crowd of 1,260 is under half a million triangles", () => {

@@ -1,5 +1,5 @@
-/** Which way a part of the figure moves; the shader knows the same numbers. */
-export const JOINT = { trunk: 0, thigh: 1, shin: 2, upperArm: 3, forearm: 4 } as const;
+/** What moves as a whole, but for its knee or elbow; the shader knows the same numbers. */
+export const LIMB = { trunk: 0, leftLeg: 1, rightLeg: 2, leftArm: 3, rightArm: 4 } as const;
 
 /** Where limbs turn, as shares of the figure's height. The hip is also the length of a leg. */
 export const HEIGHTS = { hip: 0.5, knee: 0.275, shoulder: 0.785, elbow: 0.635 } as const;
@@ -8,7 +8,7 @@ export const HEIGHTS = { hip: 0.5, knee: 0.275, shoulder: 0.785, elbow: 0.635 } 
 export interface FigureShape {
   /** x, y, z a corner. */
   readonly corners: Float32Array;
-  /** Side (1 left, −1 right, 0 neither) and joint, two numbers a corner. */
+  /** Which limb, and 1 below its knee or elbow, else 0: two numbers a corner. */
   readonly parts: Float32Array;
   /** Three corners a triangle, counterclockwise from outside. */
   readonly triangles: Uint16Array;
@@ -74,19 +74,21 @@ interface Growing {
   readonly triangles: number[];
 }
 
-/** The figure with `around` corners to a ring: five look round in a crowd, more from near by. */
+/** The figure with `around` corners to a ring: four will do in a crowd, more look round from near by. */
 export function figureShape(around: number): FigureShape {
   const shape: Growing = { corners: [], parts: [], triangles: [] };
-  const add = (rings: readonly Ring[], out: number, side: number, joint: number) =>
-    addTube(shape, rings, around, out, side, joint);
-  add(TRUNK, 0, 0, JOINT.trunk);
-  add(HEAD, 0, 0, JOINT.trunk);
-  for (const side of [1, -1]) {
-    add(THIGH, side * HIP_OUT, side, JOINT.thigh);
-    add(SHIN, side * HIP_OUT, side, JOINT.shin);
-    add(FOOT, side * HIP_OUT, side, JOINT.shin);
-    add(UPPER_ARM, side * SHOULDER_OUT, side, JOINT.upperArm);
-    add(FOREARM, side * SHOULDER_OUT, side, JOINT.forearm);
+  const add = (limb: number, below: 0 | 1, out: number, ...tubes: (readonly Ring[])[]) => {
+    for (const rings of tubes) addTube(shape, rings, around, out, [limb, below]);
+  };
+  add(LIMB.trunk, 0, 0, TRUNK, HEAD);
+  for (const [side, leg, arm] of [
+    [1, LIMB.leftLeg, LIMB.leftArm],
+    [-1, LIMB.rightLeg, LIMB.rightArm],
+  ] as const) {
+    add(leg, 0, side * HIP_OUT, THIGH);
+    add(leg, 1, side * HIP_OUT, SHIN, FOOT);
+    add(arm, 0, side * SHOULDER_OUT, UPPER_ARM);
+    add(arm, 1, side * SHOULDER_OUT, FOREARM);
   }
   return {
     corners: Float32Array.from(shape.corners),
@@ -101,8 +103,7 @@ function addTube(
   rings: readonly Ring[],
   around: number,
   out: number,
-  side: number,
-  joint: number,
+  part: readonly [limb: number, below: 0 | 1],
 ): void {
   const first = shape.parts.length / 2;
   rings.forEach(([z, forward, depth, breadth], ring) => {
@@ -111,7 +112,7 @@ function addTube(
     for (let k = 0; k < around; k += 1) {
       const angle = (2 * Math.PI * k) / around;
       shape.corners.push(forward + depth * Math.cos(angle), out + breadth * Math.sin(angle), z);
-      shape.parts.push(side, joint);
+      shape.parts.push(...part);
       if (ring + 1 === rings.length) continue;
       const here = first + ring * around;
       const above = here + around;

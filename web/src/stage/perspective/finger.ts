@@ -4,7 +4,7 @@ import type { Sight } from "./sight";
 
 /** Bodies that a pointer can meet, meters; one is kept and refilled. */
 export interface Meetable {
-  /** x, y, z and heading an agent. */
+  /** x, y, z an agent. */
   place: Float32Array;
   /** From the ground to the top of the head, and half the width. */
   height: number;
@@ -17,16 +17,16 @@ export function createFinger(): (bodies: Meetable, sight: Sight, at: ScreenPoint
   let heads = new Float32Array(0);
   let halfWidths = new Float32Array(0);
   return ({ place, height, radius }, sight, at, slack) => {
-    const count = place.length / 4;
+    const count = place.length / 3;
     if (halfWidths.length !== count) {
       feet = new Float32Array(3 * count);
       heads = new Float32Array(3 * count);
       halfWidths = new Float32Array(count);
     }
     for (let agent = 0; agent < count; agent += 1) {
-      const x = place[4 * agent] ?? 0;
-      const y = place[4 * agent + 1] ?? 0;
-      const z = place[4 * agent + 2] ?? 0;
+      const x = place[3 * agent] ?? 0;
+      const y = place[3 * agent + 1] ?? 0;
+      const z = place[3 * agent + 2] ?? 0;
       sight.projectInto(x, y, z, feet, 3 * agent);
       sight.projectInto(x, y, z + height, heads, 3 * agent);
       halfWidths[agent] = (radius * sight.focal) / Math.max(feet[3 * agent + 2] ?? 0, 1e-3);

@@ -1,39 +1,57 @@
 import { DynamicDrawUsage, InstancedBufferAttribute } from "three";
+import type { Limbs } from "./gait";
 
 /** What the graphics card reads of every agent; all bodies and marks share it. */
 export class Instances {
-  /** x, y, z in meters and the heading in radians. */
+  /** x, y, z, meters. */
   readonly place: Float32Array;
-  /** Two numbers whose meaning is the body's: see its shader. */
-  readonly attitude: Float32Array;
+  /** Unit vectors from the body: ahead, and to its left. */
+  readonly ahead: Float32Array;
+  readonly left: Float32Array;
+  readonly limbs: Limbs;
   /** Red, green, blue as the screen takes them, 0..1. */
   readonly tint: Float32Array;
   /** 1 for who is selected, else 0. */
-  readonly chosen: Float32Array;
-  readonly attributes: {
-    readonly place: InstancedBufferAttribute;
-    readonly attitude: InstancedBufferAttribute;
-    readonly tint: InstancedBufferAttribute;
-    readonly chosen: InstancedBufferAttribute;
-  };
+  private readonly chosen: Float32Array;
+  /** By the shaders' names. */
+  readonly attributes: Readonly<Record<string, InstancedBufferAttribute>>;
+  private readonly moving: readonly InstancedBufferAttribute[];
+  private readonly walking: readonly InstancedBufferAttribute[];
+  private readonly tints: InstancedBufferAttribute;
+  private readonly choices: InstancedBufferAttribute;
 
   constructor(readonly count: number) {
-    this.place = new Float32Array(4 * count);
-    this.attitude = new Float32Array(2 * count);
+    this.place = new Float32Array(3 * count);
+    this.ahead = new Float32Array(3 * count);
+    this.left = new Float32Array(3 * count);
     this.tint = new Float32Array(3 * count);
     this.chosen = new Float32Array(count);
-    this.attributes = {
-      place: new InstancedBufferAttribute(this.place, 4).setUsage(DynamicDrawUsage),
-      attitude: new InstancedBufferAttribute(this.attitude, 2).setUsage(DynamicDrawUsage),
-      tint: new InstancedBufferAttribute(this.tint, 3),
-      chosen: new InstancedBufferAttribute(this.chosen, 1),
+    this.limbs = {
+      leftLeg: new Float32Array(4 * count),
+      rightLeg: new Float32Array(4 * count),
+      leftArm: new Float32Array(4 * count),
+      rightArm: new Float32Array(4 * count),
+      posture: new Float32Array(3 * count),
     };
+    const frame = { place: changing(this.place, 3), ahead: changing(this.ahead, 3), left: changing(this.left, 3) };
+    const limbs = {
+      leftLeg: changing(this.limbs.leftLeg, 4),
+      rightLeg: changing(this.limbs.rightLeg, 4),
+      leftArm: changing(this.limbs.leftArm, 4),
+      rightArm: changing(this.limbs.rightArm, 4),
+      posture: changing(this.limbs.posture, 3),
+    };
+    this.tints = new InstancedBufferAttribute(this.tint, 3);
+    this.choices = new InstancedBufferAttribute(this.chosen, 1);
+    this.moving = Object.values(frame);
+    this.walking = Object.values(limbs);
+    this.attributes = { ...frame, ...limbs, tint: this.tints, chosen: this.choices };
   }
 
-  /** After `place` and `attitude` were filled. */
-  moved(): void {
-    this.attributes.place.needsUpdate = true;
-    this.attributes.attitude.needsUpdate = true;
+  /** After places and directions were filled, and the limbs of who walks. */
+  moved(isWalking: boolean): void {
+    for (const attribute of this.moving) attribute.needsUpdate = true;
+    if (isWalking) for (const attribute of this.walking) attribute.needsUpdate = true;
   }
 
   paint(colors: readonly string[]): void {
@@ -43,12 +61,16 @@ export class Instances {
       this.tint[3 * agent + 1] = ((value >> 8) & 255) / 255;
       this.tint[3 * agent + 2] = (value & 255) / 255;
     });
-    this.attributes.tint.needsUpdate = true;
+    this.tints.needsUpdate = true;
   }
 
   choose(agents: ReadonlySet<number>): void {
     this.chosen.fill(0);
     for (const agent of agents) if (agent < this.count) this.chosen[agent] = 1;
-    this.attributes.chosen.needsUpdate = true;
+    this.choices.needsUpdate = true;
   }
+}
+
+function changing(array: Float32Array, size: number): InstancedBufferAttribute {
+  return new InstancedBufferAttribute(array, size).setUsage(DynamicDrawUsage);
 }

@@ -6,7 +6,7 @@ import type { Instances } from "./instances";
 const REACH = 2.2;
 
 const VERTEX = /* glsl */ `
-attribute vec4 place;
+attribute vec3 place;
 attribute float chosen;
 uniform float radius;
 varying vec2 vFrom;

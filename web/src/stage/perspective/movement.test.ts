@@ -5,6 +5,7 @@ import type { Track } from "../../document/scene";
 import { SegmentMotion } from "../../playback/motion";
 import { Show } from "../../playback/show";
 import type { BodyKind } from "./bodies";
+import { gaitInto } from "./gait";
 import { Movement } from "./movement";
 import { shortestTurn } from "./orbit";
 
@@ -43,53 +44,85 @@ function motion(start: number): SegmentMotion {
 const planned = new Show(track, [motion(0), motion(10)]);
 const blended = new Show(track, []);
 
+function empty() {
+  const limbs = {
+    leftLeg: new Float32Array(8),
+    rightLeg: new Float32Array(8),
+    leftArm: new Float32Array(8),
+    rightArm: new Float32Array(8),
+    posture: new Float32Array(6),
+  };
+  return { place: new Float32Array(6), ahead: new Float32Array(6), left: new Float32Array(6), limbs };
+}
+
 function poses(show: Show, time: number, kind: BodyKind = "figures") {
-  const filled = { place: new Float32Array(8), attitude: new Float32Array(4) };
+  const filled = empty();
   new Movement(2).poseInto(show, time, kind, SIZES, filled);
-  const [x = 0, y = 0, z = 0, heading = 0] = filled.place;
-  const [phase = 0, reach = 0] = filled.attitude;
-  return { x, y, z, heading, phase, reach, other: [...filled.attitude.subarray(2)] };
+  const [x = 0, y = 0, z = 0] = filled.ahead;
+  return {
+    ...filled,
+    heading: Math.atan2(y, x),
+    climb: z,
+    /** Sines of the first agent's thighs. */
+    thighs: [filled.limbs.leftLeg[1] ?? 0, filled.limbs.rightLeg[1] ?? 0],
+    /** How high the hip of each is down. */
+    drops: [filled.limbs.posture[0] ?? 0, filled.limbs.posture[3] ?? 0],
+  };
+}
+
+/** What `gaitInto` makes of strides of 1.5 m, of somebody of 1.75 m. */
+function thighsAfter(strides: number): number[] {
+  const { limbs } = empty();
+  gaitInto(strides, 1.5 / 4 / 1.75, limbs, 0);
+  return [limbs.leftLeg[1] ?? 0, limbs.rightLeg[1] ?? 0];
 }
 
 describe("movement", () => {
   it("steps follow the distance: as many strides on a way as fit, each as long as the others", () => {
     // Six meters are four strides of 1.5 m, so three seconds are 1.2 strides.
-    expect(poses(planned, 3).phase).toBeCloseTo(0.2, 4);
-    expect(poses(planned, 6.5).phase).toBeCloseTo(0.6, 4);
-    // A foot is a quarter of a stride in front at its farthest.
-    expect(poses(planned, 3).reach).toBeCloseTo(1.5 / 4 / 1.75, 4);
+    for (const [time, strides] of [
+      [3, 1.2],
+      [6.5, 2.6],
+    ] as const) {
+      const { thighs } = poses(planned, time);
+      thighsAfter(strides).forEach((thigh, side) => {
+        expect(thighs[side]).toBeCloseTo(thigh, 4);
+      });
+    }
   });
 
   it("a walk runs on through a keyframe with the same foot", () => {
-    const [before, after] = [poses(planned, 9.9), poses(planned, 10.1)];
     // A tenth of a second is 0.04 strides.
-    expect(before.phase).toBeCloseTo(0.96, 4);
-    expect(after.phase).toBeCloseTo(0.04, 4);
-    expect(after.reach).toBeCloseTo(before.reach, 4);
+    for (const [time, strides] of [
+      [9.9, 3.96],
+      [10.1, 4.04],
+    ] as const) {
+      expect(poses(planned, time).thighs[0]).toBeCloseTo(thighsAfter(strides)[0] ?? 0, 4);
+    }
   });
 
-  it("who stands has both feet on the ground, also at the moment of starting and stopping", () => {
-    for (const time of [0, 20, 22, 25]) expect(poses(planned, time).reach).toBe(0);
-    expect(poses(planned, 5).other[1]).toBe(0);
+  it("who stands has straight legs, also at the moment of starting and stopping", () => {
+    for (const time of [0, 20, 22, 25]) expect(poses(planned, time).thighs).toEqual([0, 0]);
+    expect(poses(planned, 5).drops[1]).toBe(0);
   });
 
   it("a walk starts and ends with shorter steps", () => {
-    expect(poses(planned, 0.05).reach).toBeGreaterThan(0);
-    expect(poses(planned, 0.05).reach).toBeLessThan(poses(planned, 1).reach);
-    expect(poses(planned, 19.98).reach).toBeLessThan(poses(planned, 19).reach);
+    const depth = (time: number) => Math.max(...poses(planned, time).thighs.map(Math.abs));
+    expect(depth(0.1)).toBeGreaterThan(0);
+    expect(depth(0.1)).toBeLessThan(depth(2.6));
+    expect(depth(19.98)).toBeLessThan(depth(17.4));
   });
 
   it("a straight blend is walked as well", () => {
     const [walked, shown] = [poses(blended, 3), poses(planned, 3)];
-    expect(walked.phase).toBeCloseTo(shown.phase, 4);
-    expect(walked.reach).toBeCloseTo(shown.reach, 4);
+    expect(walked.thighs[0]).toBeCloseTo(shown.thighs[0] ?? 0, 4);
   });
 
   it("a pose depends on the time alone", () => {
     const movement = new Movement(2);
-    const filled = { place: new Float32Array(8), attitude: new Float32Array(4) };
+    const filled = empty();
     for (const time of [19, 2, 13.3]) movement.poseInto(planned, time, "figures", SIZES, filled);
-    const fresh = { place: new Float32Array(8), attitude: new Float32Array(4) };
+    const fresh = empty();
     new Movement(2).poseInto(planned, 13.3, "figures", SIZES, fresh);
     expect(filled).toEqual(fresh);
   });
@@ -121,8 +154,24 @@ describe("movement", () => {
     expect(last).toBeCloseTo(Math.PI / 2, 0);
   });
 
-  it("cones head along the way and discs lie still", () => {
-    expect(poses(planned, 5, "cones").heading).toBeCloseTo(0, 0);
-    expect(poses(planned, 5, "discs")).toMatchObject({ heading: 0, phase: 0, reach: 0 });
+  it("a cone leans into its turn with the inner wing", () => {
+    const times = Float64Array.from({ length: 301 }, (_, k) => k / 30);
+    const xy = new Float32Array(4 * times.length);
+    for (const [k, time] of times.entries()) xy.set([20 * Math.cos(time), 20 * Math.sin(time), 0, 9], 4 * k);
+    const ends = [0, 10].map((time) => [20 * Math.cos(time), 20 * Math.sin(time)] as const);
+    const round = { ...track, keyframes: ends.map((end, k) => keyframeAt(10 * k, Formation.from([end, [0, 9]]))) };
+    const show = new Show(round, [new SegmentMotion(times, xy, 2)]);
+    const { ahead, left } = poses(show, 5, "cones");
+    expect(left[2]).toBeLessThan(-0.5);
+    expect(left[5]).toBeCloseTo(0, 12);
+    // Ahead and left are a unit and square to each other.
+    for (const agent of [0, 1]) {
+      const [a, l] = [ahead, left].map((all) => [...all.subarray(3 * agent, 3 * agent + 3)]);
+      const dot = (u: number[] = [], v: number[] = []) =>
+        u.reduce((sum, value, axis) => sum + value * (v[axis] ?? 0), 0);
+      expect(dot(a, a)).toBeCloseTo(1, 6);
+      expect(dot(l, l)).toBeCloseTo(1, 6);
+      expect(dot(a, l)).toBeCloseTo(0, 6);
+    }
   });
 });

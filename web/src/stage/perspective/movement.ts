@@ -2,6 +2,7 @@ import type { Show } from "../../playback/show";
 import { smoothstep } from "../spacing";
 import type { BodyKind } from "./bodies";
 import { bankOf, headingOf, pitchOf, WINDOW } from "./course";
+import { gaitInto, type Limbs } from "./gait";
 import type { BodySizes } from "./sizes";
 import { distancesOf, strideCount } from "./stride";
 
@@ -17,7 +18,9 @@ const LONGEST_REACH = 0.28;
 /** What is filled for the graphics card: see `Instances`. */
 export interface Poses {
   readonly place: Float32Array;
-  readonly attitude: Float32Array;
+  readonly ahead: Float32Array;
+  readonly left: Float32Array;
+  readonly limbs: Limbs;
 }
 
 /** Reads where everybody is and how they move out of the show. A pose depends on the time alone, not on how it was reached. */
@@ -43,63 +46,59 @@ export class Movement {
 
   /** Everybody's pose at `time`, scene seconds; allocates nothing. */
   poseInto(show: Show, time: number, kind: BodyKind, sizes: BodySizes, poses: Poses): void {
-    show.positionsInto(time, this.now);
-    for (let agent = 0; agent < this.count; agent += 1) {
-      poses.place[4 * agent] = this.now[2 * agent] ?? 0;
-      poses.place[4 * agent + 1] = this.now[2 * agent + 1] ?? 0;
+    const { now, before, after, count } = this;
+    show.positionsInto(time, now);
+    show.positionsInto(Math.max(time - WINDOW, 0), before);
+    show.positionsInto(Math.min(time + WINDOW, show.duration), after);
+    for (let agent = 0; agent < count; agent += 1) {
+      poses.place[3 * agent] = now[2 * agent] ?? 0;
+      poses.place[3 * agent + 1] = now[2 * agent + 1] ?? 0;
+      poses.place[3 * agent + 2] = 0;
+      this.aimInto(agent, kind === "cones", poses.ahead, poses.left);
     }
-    if (kind === "discs") return;
-    show.positionsInto(Math.max(time - WINDOW, 0), this.before);
-    show.positionsInto(Math.min(time + WINDOW, show.duration), this.after);
-    this.headInto(poses.place);
-    if (kind === "cones") this.flyInto(poses);
-    else this.walkInto(show, time, sizes.figure, poses.attitude);
+    if (kind === "figures") this.walkInto(show, time, sizes.figure, poses.limbs);
   }
 
-  private headInto(place: Float32Array): void {
-    const { before, after } = this;
-    for (let agent = 0; agent < this.count; agent += 1) {
-      const x = 2 * agent;
-      const dx = (after[x] ?? 0) - (before[x] ?? 0);
-      const dy = (after[x + 1] ?? 0) - (before[x + 1] ?? 0);
-      place[4 * agent + 3] = headingOf(dx, dy);
-    }
-  }
-
-  private flyInto({ attitude }: Poses): void {
+  /** Which way `agent` heads and, of who flies, climbs and leans. */
+  private aimInto(agent: number, isFlying: boolean, ahead: Float32Array, left: Float32Array): void {
     const { before, now, after } = this;
-    for (let agent = 0; agent < this.count; agent += 1) {
-      const x = 2 * agent;
-      const y = x + 1;
-      const ax = (now[x] ?? 0) - (before[x] ?? 0);
-      const ay = (now[y] ?? 0) - (before[y] ?? 0);
-      const bx = (after[x] ?? 0) - (now[x] ?? 0);
-      const by = (after[y] ?? 0) - (now[y] ?? 0);
-      attitude[x] = pitchOf(ax + bx, ay + by, 0);
-      attitude[y] = bankOf(ax, ay, bx, by);
-    }
+    const x = 2 * agent;
+    const y = x + 1;
+    const ax = (now[x] ?? 0) - (before[x] ?? 0);
+    const ay = (now[y] ?? 0) - (before[y] ?? 0);
+    const bx = (after[x] ?? 0) - (now[x] ?? 0);
+    const by = (after[y] ?? 0) - (now[y] ?? 0);
+    const heading = headingOf(ax + bx, ay + by);
+    const pitch = isFlying ? pitchOf(ax + bx, ay + by, 0) : 0;
+    const bank = isFlying ? bankOf(ax, ay, bx, by) : 0;
+    const cos = Math.cos(heading);
+    const sin = Math.sin(heading);
+    const level = Math.cos(pitch);
+    const climb = Math.sin(pitch);
+    const upright = Math.cos(bank);
+    const lean = Math.sin(bank);
+    const k = 3 * agent;
+    ahead[k] = cos * level;
+    ahead[k + 1] = sin * level;
+    ahead[k + 2] = climb;
+    // Level it points to the left; leaning, down with the inner wing.
+    left[k] = -sin * upright + cos * climb * lean;
+    left[k + 1] = cos * upright + sin * climb * lean;
+    left[k + 2] = -level * lean;
   }
 
-  /** Strides walked, and how far a foot reaches forward. */
-  private walkInto(show: Show, time: number, height: number, attitude: Float32Array): void {
+  private walkInto(show: Show, time: number, height: number, limbs: Limbs): void {
     const segment = show.segmentAt(time);
-    if (segment === null) {
-      attitude.fill(0);
-      return;
-    }
-    const totals = this.measure(show, segment, time);
+    const totals = segment === null ? null : this.measure(show, segment, time);
     const { before, now, after, traveled } = this;
     for (let agent = 0; agent < this.count; agent += 1) {
-      const x = 2 * agent;
-      const back = squaredStep(before, now, x);
-      const ahead = squaredStep(now, after, x);
-      // Who comes from standing or is about to stand takes shorter steps, and none at the stop itself.
-      const pace = Math.sqrt(Math.min(back, ahead)) / height;
-      const total = totals[agent] ?? 0;
+      const total = totals?.[agent] ?? 0;
       const strides = strideCount(total, STRIDE * height);
-      const phase = total > 0 ? (strides * (traveled[agent] ?? 0)) / total : 0;
-      attitude[x] = phase - Math.floor(phase);
-      attitude[x + 1] = Math.min(total / strides / 4 / height, LONGEST_REACH) * smoothstep(0, STROLL, pace);
+      // Who comes from standing or is about to stand takes shorter steps, and none at the stop itself.
+      const step = Math.min(squaredStep(before, now, 2 * agent), squaredStep(now, after, 2 * agent));
+      const vigor = smoothstep(0, STROLL, Math.sqrt(step) / height);
+      const reach = Math.min(total / strides / 4 / height, LONGEST_REACH) * vigor;
+      gaitInto(total > 0 ? (strides * (traveled[agent] ?? 0)) / total : 0, reach, limbs, agent);
     }
   }
 

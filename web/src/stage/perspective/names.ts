@@ -42,7 +42,7 @@ function drawName(
   agent: number,
 ): void {
   const { place, height } = bodies;
-  const k = 4 * agent;
+  const k = 3 * agent;
   sight.projectInto(place[k] ?? 0, place[k + 1] ?? 0, (place[k + 2] ?? 0) + height, at, 0);
   const [x = 0, y = 0, depth = 0] = at;
   if (depth === 0 || k >= place.length) return;

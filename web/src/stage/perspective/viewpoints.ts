@@ -11,8 +11,8 @@ export interface Box extends Bounds {
 /** Share of the screen that is filled: pills float at its edges. From a seat one turns the head. */
 const FILLED = { overview: 0.86, seat: 1.12 } as const;
 
-/** How steeply all of it is looked down at, radians. */
-const OVERVIEW = 0.62;
+/** How steeply all of it is looked down at, radians, and how much more on a screen that is all height. */
+const OVERVIEW = { wide: 0.62, tall: 0.6 } as const;
 
 /** How steeply somebody in a stand looks down, radians. */
 const STAND = 0.22;
@@ -25,7 +25,8 @@ const CENTERING = 8;
 
 /** All of `box` from the front and above. */
 export function overview(box: Box, size: Size): Orbit {
-  return fitted(box, size, OVERVIEW, FILLED.overview);
+  const slimness = Math.max(0, 1 - size.width / Math.max(size.height, 1));
+  return fitted(box, size, OVERVIEW.wide + OVERVIEW.tall * slimness, FILLED.overview);
 }
 
 /** All of `box` as the middle of the stand sees it, in front of the sheet. */
