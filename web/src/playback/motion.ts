@@ -38,17 +38,26 @@ export class SegmentMotion {
 
   /** Positions at `time`, straight between samples, into `out` (x, y an agent); allocates nothing. */
   positionsInto(time: number, out: Float32Array): void {
+    this.sampledInto(this.xy, 2 * this.agentCount, time, out);
+  }
+
+  /** Heights at `time`, straight between samples, into `out`: 0 in a plane scene; allocates nothing. */
+  heightsInto(time: number, out: Float32Array): void {
+    if (this.heights) this.sampledInto(this.heights, this.agentCount, time, out);
+    else out.fill(0);
+  }
+
+  private sampledInto(values: Float32Array, stride: number, time: number, out: Float32Array): void {
     const sample = this.sampleBefore(time);
     const next = Math.min(sample + 1, this.times.length - 1);
     const from = this.times[sample] ?? 0;
     const span = (this.times[next] ?? 0) - from;
     const t = span > 0 ? Math.min(1, Math.max(0, (time - from) / span)) : 0;
-    const stride = this.agentCount * 2;
     const a = sample * stride;
     const b = next * stride;
     for (let k = 0; k < stride; k += 1) {
-      const start = this.xy[a + k] ?? 0;
-      out[k] = start + ((this.xy[b + k] ?? 0) - start) * t;
+      const start = values[a + k] ?? 0;
+      out[k] = start + ((values[b + k] ?? 0) - start) * t;
     }
   }
 }

@@ -92,6 +92,31 @@ describe("show", () => {
     expect(at(single, 50)).toEqual([0, 0, 1, 0]);
     expect(single.duration).toBe(3);
   });
+
+  it("in space, heights stand, are planned and blended as places are", () => {
+    const lifted = track.keyframes.map((frame, k) => ({
+      ...frame,
+      positions: new Formation(frame.positions.xy, Float64Array.of(2 * k, 10)),
+    }));
+    const motion = new SegmentMotion(
+      Float64Array.of(3, 5, 7),
+      new Float32Array(12),
+      2,
+      Float32Array.of(0, 10, 8, 9, 2, 10),
+    );
+    const inSpace = new Show({ ...track, keyframes: lifted }, [motion]);
+    const heights = (at: Show, time: number) => {
+      const out = new Float32Array(2).fill(99);
+      at.heightsInto(time, out);
+      return [...out];
+    };
+    expect(inSpace.isSpatial).toBe(true);
+    expect(heights(inSpace, 2)).toEqual([0, 10]);
+    expect(heights(inSpace, 4)).toEqual([4, 9.5]);
+    expect(heights(inSpace, 8)).toEqual([3, 10]);
+    expect(heights(show, 5)).toEqual([0, 0]);
+    expect(show.isSpatial).toBe(false);
+  });
 });
 
 it.each([

@@ -14,6 +14,8 @@ export class Show {
   readonly agentCount: number;
   /** Scene seconds, the last hold included. */
   readonly duration: number;
+  /** Whether its agents have heights. */
+  readonly isSpatial: boolean;
   private readonly motions: readonly (SegmentMotion | null)[];
 
   constructor(
@@ -23,6 +25,7 @@ export class Show {
   ) {
     this.agentCount = track.keyframes[0]?.positions.agentCount ?? 0;
     this.duration = showDuration(track);
+    this.isSpatial = track.keyframes.some(({ positions }) => positions.heights !== null);
     this.motions = track.segments.map((_, segment) => this.fitting(segment, motions[segment] ?? null));
   }
 
@@ -72,6 +75,24 @@ export class Show {
     else this.blendInto(index, time, out);
   }
 
+  /** How high everybody is at `time`, meters, into `out`: 0 in a plane scene; allocates nothing. */
+  heightsInto(time: number, out: Float32Array): void {
+    const index = this.keyframeBefore(time);
+    const stand = this.track.keyframes[index]?.positions.heights;
+    if (!stand) {
+      out.fill(0);
+      return;
+    }
+    if (!this.isMoving(index, time)) {
+      out.set(stand);
+      return;
+    }
+    const motion = this.motions[index];
+    const to = this.track.keyframes[index + 1]?.positions.heights;
+    if (motion) motion.heightsInto(time, out);
+    else if (to) mixInto(stand, to, this.shareOf(index, time), out);
+  }
+
   private isMoving(index: number, time: number): boolean {
     const keyframe = this.track.keyframes[index];
     return index + 1 < this.track.keyframes.length && time > departure(keyframe);
@@ -80,15 +101,15 @@ export class Show {
   private blendInto(segment: number, time: number, out: Float32Array): void {
     const from = this.track.keyframes[segment]?.positions.xy;
     const to = this.track.keyframes[segment + 1]?.positions.xy;
-    if (!from || !to) return;
+    if (from && to) mixInto(from, to, this.shareOf(segment, time), out);
+  }
+
+  /** How much of a segment's way is behind at `time`. */
+  private shareOf(segment: number, time: number): number {
     const start = this.startOf(segment);
     const timing = this.track.segments[segment]?.timing ?? "linear";
     const share = (time - start) / (this.endOf(segment) - start);
-    const t = eased(timing, share, isStop(this.track, this.join, segment), isStop(this.track, this.join, segment + 1));
-    for (let k = 0; k < from.length; k += 1) {
-      const a = from[k] ?? 0;
-      out[k] = a + ((to[k] ?? 0) - a) * t;
-    }
+    return eased(timing, share, isStop(this.track, this.join, segment), isStop(this.track, this.join, segment + 1));
   }
 
   /** A motion of other agents or other times belongs to a scene that has changed since. */
@@ -114,4 +135,11 @@ export function eased(timing: Timing, t: number, stopsBefore: boolean, stopsAfte
 
 function departure(keyframe: Keyframe | undefined): number {
   return keyframe ? keyframe.time + keyframe.hold : 0;
+}
+
+function mixInto(from: Float64Array, to: Float64Array, t: number, out: Float32Array): void {
+  for (let k = 0; k < from.length; k += 1) {
+    const a = from[k] ?? 0;
+    out[k] = a + ((to[k] ?? 0) - a) * t;
+  }
 }

@@ -1,4 +1,3 @@
-import type { Signal } from "@preact/signals";
 import { Armchair, Maximize, Minus, Plus } from "lucide";
 import type { BodyKind } from "../../stage/perspective/bodies";
 import { Icon } from "../../theme/icons";
@@ -12,18 +11,11 @@ const BODIES: readonly Choice<BodyKind>[] = [
 ];
 
 /** What agents look like, and where they are seen from. */
-export function PerspectivePill({ bodies, sitDown }: { bodies: Signal<BodyKind>; sitDown(): void }) {
+export function PerspectivePill(props: { bodies: BodyKind; onBodies(kind: BodyKind): void; sitDown(): void }) {
   return (
     <fieldset class="floating perspective-pill" aria-label="Perspective view">
-      <Select
-        label="Show agents as"
-        value={bodies.value}
-        choices={BODIES}
-        onChoose={(chosen) => {
-          bodies.value = chosen;
-        }}
-      />
-      <button type="button" class="button quiet" onClick={sitDown}>
+      <Select label="Show agents as" value={props.bodies} choices={BODIES} onChoose={props.onBodies} />
+      <button type="button" class="button quiet" onClick={props.sitDown}>
         <Icon node={Armchair} size={14} /> Audience's seat
       </button>
       <span class="separator" />

@@ -1,19 +1,23 @@
 import "./perspective-view.css";
-import { signal } from "@preact/signals";
+import { signal, useComputed } from "@preact/signals";
 import { useEffect, useRef } from "preact/hooks";
 import type { BodyKind } from "../../stage/perspective/bodies";
 import type { Perspective } from "../../stage/perspective/create-perspective";
+import { showOf } from "../show-of";
 import { useStudio } from "../studio";
 import { openPerspective } from "./open-perspective";
 import { PerspectivePill } from "./perspective-pill";
 
-/** How the person likes agents to look, as long as the page is open. */
-const bodies = signal<BodyKind>("figures");
+/** How the person likes agents to look, as long as the page is open; null until they say. */
+const chosen = signal<BodyKind | null>(null);
 
 /** The show in perspective, over the plan, and what steers it. */
 export function PerspectiveView() {
   const studio = useStudio();
   const { view } = studio;
+  const show = showOf(studio);
+  // Who is in the air does not walk.
+  const bodies = useComputed<BodyKind>(() => chosen.value ?? (show.value.isSpatial ? "cones" : "figures"));
   const place = useRef<HTMLDivElement>(null);
   const perspective = useRef<Perspective | null>(null);
   useEffect(() => {
@@ -26,7 +30,7 @@ export function PerspectiveView() {
       view.lens.value = null;
       opened?.dispose();
     };
-  }, [studio, view]);
+  }, [studio, view, bodies]);
   return (
     <>
       <div
@@ -38,7 +42,13 @@ export function PerspectiveView() {
         aria-label="The show in perspective"
         aria-description="Arrows turn it, with Shift they move it, plus and minus zoom."
       />
-      <PerspectivePill bodies={bodies} sitDown={() => perspective.current?.sitDown()} />
+      <PerspectivePill
+        bodies={bodies.value}
+        onBodies={(kind) => {
+          chosen.value = kind;
+        }}
+        sitDown={() => perspective.current?.sitDown()}
+      />
     </>
   );
 }

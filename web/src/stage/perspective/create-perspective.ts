@@ -59,6 +59,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     show: show.peek(),
     time: 0,
     stage: scene.peek().stage,
+    obstacles: [],
     kind: inputs.bodies.peek(),
     sizes: sizes.peek(),
     hasTrails: true,
@@ -71,6 +72,9 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
   watch.read();
   const agents = computed(() => track.value.agents);
   const groups = computed(() => scene.value.groups);
+  const stage = computed(() => scene.value.stage);
+  const obstacles = computed(() => scene.value.obstacles);
+  const height = computed(() => sizes.value.figure);
   const cast = computed(() => {
     // Only agents and groups have colors and names; moving somebody keeps the cast.
     void [agents.value, groups.value];
@@ -100,6 +104,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     picture.sizes = sizes.peek();
     picture.hasTrails = view.layers.peek().trails;
     picture.stage = scene.peek().stage;
+    picture.obstacles = scene.peek().obstacles;
     picture.selected = selected.peek();
     picture.hovered = view.hovered.peek();
     picture.orbit = eye.orbit.peek();
@@ -133,7 +138,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
       resize();
     }),
     effect(() => {
-      void [watch.palette.value, scene.value.stage, arrivals.value];
+      void [watch.palette.value, stage.value, obstacles.value, height.value, arrivals.value];
       need("ground");
     }),
     effect(() => {

@@ -3,6 +3,7 @@ import type { SegmentMotion } from "../../playback/motion";
 import type { Show } from "../../playback/show";
 import type { Cast } from "../cast";
 import type { Palette } from "../palette";
+import { createDrops } from "./air";
 import { type BodyKind, createBodies } from "./bodies";
 import { Instances } from "./instances";
 import { createMarks } from "./marks";
@@ -37,8 +38,9 @@ export function createCrowd(count: number): Crowd {
   const bodies = createBodies(instances);
   const marks = createMarks(instances);
   const trails = createTrails(instances);
+  const drops = createDrops(instances);
   const group = new Group();
-  group.add(trails.mesh, marks.mesh, ...bodies.meshes);
+  group.add(trails.mesh, marks.mesh, drops.lines, ...bodies.meshes);
   return {
     count,
     group,
@@ -47,6 +49,7 @@ export function createCrowd(count: number): Crowd {
       movement.poseInto(show, time, kind, sizes, instances);
       instances.moved(kind === "figures");
       bodies.show(kind, sizes);
+      drops.lines.visible = show.isSpatial;
       marks.setRadius(markRadius(kind, sizes));
     },
     trail(motion, time, strength, radius) {
@@ -58,6 +61,7 @@ export function createCrowd(count: number): Crowd {
       const darkness = palette.isDark ? DARKNESS.dark : DARKNESS.light;
       marks.setTheme(new Color(palette.isDark ? "#000000" : palette.ink), darkness, new Color(palette.you));
       bodies.setTheme(palette.isDark);
+      drops.setColor(new Color(palette.ink3));
       trails.paint(palette.trailAlpha);
     },
     choose: (agents) => instances.choose(agents),
@@ -65,6 +69,7 @@ export function createCrowd(count: number): Crowd {
       bodies.dispose();
       marks.dispose();
       trails.dispose();
+      drops.dispose();
     },
   };
 }

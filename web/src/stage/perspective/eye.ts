@@ -1,5 +1,5 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
-import type { Scene } from "../../document/scene";
+import { mainTrack, type Scene } from "../../document/scene";
 import { type Bounds, grown, type ScreenPoint, union } from "../camera";
 import { framesForMotion } from "../glide";
 import { contentOf, sheetOf } from "../sheet";
@@ -48,7 +48,7 @@ export function createEye(
   const box = computed<Box>(() => {
     const sheet = sheetOf(scene.value.stage);
     const content = contentOf(scene.value);
-    return { ...(content ? roomy(content) : sheet), height: sizes.value.figure };
+    return { ...(content ? roomy(content) : sheet), height: highestOf(scene.value) + sizes.value.figure };
   });
   const reach = computed<Reach>(() => {
     const sheet = sheetOf(scene.value.stage);
@@ -113,6 +113,15 @@ export function createEye(
       stopFollowing();
     },
   };
+}
+
+/** Where the highest agent of any keyframe is. */
+function highestOf(scene: Scene): number {
+  let highest = 0;
+  for (const { positions } of mainTrack(scene).keyframes) {
+    for (const height of positions.heights ?? []) highest = Math.max(highest, height);
+  }
+  return highest;
 }
 
 function roomy(content: Bounds): Bounds {

@@ -28,6 +28,10 @@ export class Movement {
   private readonly now: Float32Array;
   private readonly before: Float32Array;
   private readonly after: Float32Array;
+  /** Heights at the same times. */
+  private readonly high: Float32Array;
+  private readonly highBefore: Float32Array;
+  private readonly highAfter: Float32Array;
   private readonly traveled: Float32Array;
   /** Of a segment without a motion: its ends, and how far it is between them. */
   private readonly from: Float32Array;
@@ -38,6 +42,9 @@ export class Movement {
     this.now = new Float32Array(2 * count);
     this.before = new Float32Array(2 * count);
     this.after = new Float32Array(2 * count);
+    this.high = new Float32Array(count);
+    this.highBefore = new Float32Array(count);
+    this.highAfter = new Float32Array(count);
     this.traveled = new Float32Array(count);
     this.from = new Float32Array(2 * count);
     this.to = new Float32Array(2 * count);
@@ -46,14 +53,18 @@ export class Movement {
 
   /** Everybody's pose at `time`, scene seconds; allocates nothing. */
   poseInto(show: Show, time: number, kind: BodyKind, sizes: BodySizes, poses: Poses): void {
-    const { now, before, after, count } = this;
-    show.positionsInto(time, now);
-    show.positionsInto(Math.max(time - WINDOW, 0), before);
-    show.positionsInto(Math.min(time + WINDOW, show.duration), after);
-    for (let agent = 0; agent < count; agent += 1) {
-      poses.place[3 * agent] = now[2 * agent] ?? 0;
-      poses.place[3 * agent + 1] = now[2 * agent + 1] ?? 0;
-      poses.place[3 * agent + 2] = 0;
+    const earlier = Math.max(time - WINDOW, 0);
+    const later = Math.min(time + WINDOW, show.duration);
+    show.positionsInto(time, this.now);
+    show.positionsInto(earlier, this.before);
+    show.positionsInto(later, this.after);
+    show.heightsInto(time, this.high);
+    show.heightsInto(earlier, this.highBefore);
+    show.heightsInto(later, this.highAfter);
+    for (let agent = 0; agent < this.count; agent += 1) {
+      poses.place[3 * agent] = this.now[2 * agent] ?? 0;
+      poses.place[3 * agent + 1] = this.now[2 * agent + 1] ?? 0;
+      poses.place[3 * agent + 2] = this.high[agent] ?? 0;
       this.aimInto(agent, kind === "cones", poses.ahead, poses.left);
     }
     if (kind === "figures") this.walkInto(show, time, sizes.figure, poses.limbs);
@@ -69,7 +80,8 @@ export class Movement {
     const bx = (after[x] ?? 0) - (now[x] ?? 0);
     const by = (after[y] ?? 0) - (now[y] ?? 0);
     const heading = headingOf(ax + bx, ay + by);
-    const pitch = isFlying ? pitchOf(ax + bx, ay + by, 0) : 0;
+    const rise = (this.highAfter[agent] ?? 0) - (this.highBefore[agent] ?? 0);
+    const pitch = isFlying ? pitchOf(ax + bx, ay + by, rise) : 0;
     const bank = isFlying ? bankOf(ax, ay, bx, by) : 0;
     const cos = Math.cos(heading);
     const sin = Math.sin(heading);

@@ -16,13 +16,14 @@ const HEAD = 0.85;
 
 const VERTEX = /* glsl */ `
 attribute vec2 edge;
+attribute float rise;
 attribute float firmness;
 attribute vec3 tint;
 varying vec4 vColor;
 
 void main() {
   vColor = vec4(tint, firmness);
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(edge, 0.0, 1.0);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(edge, rise, 1.0);
 }
 `;
 
@@ -35,7 +36,7 @@ void main() {
 }
 `;
 
-/** Ribbons on the ground from where the agents were to where they are, thin and faint to thick and firm. */
+/** Ribbons from where the agents were to where they are, thin and faint to thick and firm. */
 export interface Trails {
   readonly mesh: Mesh<BufferGeometry, ShaderMaterial>;
   /** Trails of `motion` at `now`, scene seconds, for discs of `radius` meters; `strength` is 1, or less while they fade. */
@@ -47,16 +48,19 @@ export interface Trails {
 
 export function createTrails({ count, tint }: Instances): Trails {
   const edge = new Float32Array(4 * PLACES * count);
+  const rise = new Float32Array(2 * PLACES * count);
   const firmness = new Float32Array(2 * PLACES * count);
   const color = new Float32Array(6 * PLACES * count);
   const line = new Float32Array(2 * PLACES);
   const samples = new Int32Array(PLACES);
   const shares = new Float32Array(PLACES);
   const edges = new BufferAttribute(edge, 2).setUsage(DynamicDrawUsage);
+  const rises = new BufferAttribute(rise, 1).setUsage(DynamicDrawUsage);
   const firmnesses = new BufferAttribute(firmness, 1);
   const colors = new BufferAttribute(color, 3);
   const geometry = new BufferGeometry();
   geometry.setAttribute("edge", edges);
+  geometry.setAttribute("rise", rises);
   geometry.setAttribute("firmness", firmnesses);
   geometry.setAttribute("tint", colors);
   geometry.setIndex(new BufferAttribute(stripsOf(count), 1));
@@ -70,6 +74,7 @@ export function createTrails({ count, tint }: Instances): Trails {
   });
   const mesh = new Mesh(geometry, material);
   mesh.frustumCulled = false;
+  let isLifted = false;
 
   /** Which samples of the motion each place lies between. */
   function locate(motion: SegmentMotion, from: number, to: number): void {
@@ -81,6 +86,22 @@ export function createTrails({ count, tint }: Instances): Trails {
       samples[place] = sample;
       shares[place] = length > 0 ? (time - start) / length : 0;
     }
+  }
+
+  /** The heights of all trails; on the ground there is nothing to do again and again. */
+  function lift(heights: Float32Array | null): void {
+    if (!heights && !isLifted) return;
+    isLifted = heights !== null;
+    for (let corner = 0; corner < rise.length; corner += 2) {
+      const place = (corner >> 1) % PLACES;
+      const agent = Math.floor((corner >> 1) / PLACES);
+      const at = (samples[place] ?? 0) * count + agent;
+      const low = heights?.[at] ?? 0;
+      const height = low + ((heights?.[at + count] ?? 0) - low) * (shares[place] ?? 0);
+      rise[corner] = height;
+      rise[corner + 1] = height;
+    }
+    rises.needsUpdate = true;
   }
 
   return {
@@ -104,6 +125,7 @@ export function createTrails({ count, tint }: Instances): Trails {
         outlineInto(line, PLACES, TAIL * radius, HEAD * radius, edge, 4 * PLACES * agent);
       }
       edges.needsUpdate = true;
+      lift(motion.heights);
     },
     paint(headAlpha) {
       for (let corner = 0; corner < firmness.length; corner += 1) {

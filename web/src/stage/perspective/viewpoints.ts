@@ -49,13 +49,14 @@ function fitted(box: Box, size: Size, elevation: number, filled: number): Orbit 
   const wide = (tall * Math.max(size.width, 1)) / Math.max(size.height, 1);
   const [rise, run] = [Math.sin(elevation), Math.cos(elevation)];
   const x = (box.minX + box.maxX) / 2;
+  const z = box.height / 2;
   let y = (box.minY + box.maxY) / 2;
   let distance = 0;
   // What is near looks larger, so the middle of the picture is not the middle of the box.
   for (let step = 0; step < CENTERING; step += 1) {
     distance = 0;
     const seen = cornersOf(box).map(([cx, cy, cz]) => {
-      const [above, depth] = [(cy - y) * rise + cz * run, (cy - y) * run - cz * rise];
+      const [above, depth] = [(cy - y) * rise + (cz - z) * run, (cy - y) * run - (cz - z) * rise];
       distance = Math.max(distance, Math.abs(cx - x) / wide - depth, Math.abs(above) / tall - depth);
       return { above, depth };
     });
@@ -63,7 +64,7 @@ function fitted(box: Box, size: Size, elevation: number, filled: number): Orbit 
     const slopes = seen.map(({ above, depth }) => above / (distance + depth));
     y += ((Math.min(...slopes) + Math.max(...slopes)) / 2) * (distance / rise);
   }
-  return { x, y, z: 0, distance, azimuth: 0, elevation };
+  return { x, y, z, distance, azimuth: 0, elevation };
 }
 
 function cornersOf(box: Box): (readonly [x: number, y: number, z: number])[] {

@@ -1,5 +1,5 @@
 import { Color, Scene } from "three";
-import type { Stage } from "../../document/scene";
+import type { Obstacle, Stage } from "../../document/scene";
 import type { Show } from "../../playback/show";
 import type { Size } from "../camera";
 import { createContext } from "../canvases";
@@ -8,12 +8,14 @@ import { Frame } from "../frame";
 import type { Palette } from "../palette";
 import { sheetOf } from "../sheet";
 import { smoothstep } from "../spacing";
+import { createAirspace } from "./air";
 import { type BodyKind, DISC_HEIGHT } from "./bodies";
 import { createCrowd, markRadius } from "./crowd";
 import { createDevice } from "./device";
 import type { Meetable } from "./finger";
 import { createGround } from "./ground";
 import { drawNames } from "./names";
+import { createObstacles } from "./obstacles";
 import type { Orbit } from "./orbit";
 import type { Sight } from "./sight";
 import type { BodySizes } from "./sizes";
@@ -23,6 +25,7 @@ export interface WorldPicture {
   show: Show;
   time: number;
   stage: Stage;
+  obstacles: readonly Obstacle[];
   kind: BodyKind;
   sizes: BodySizes;
   hasTrails: boolean;
@@ -50,6 +53,10 @@ export interface World {
 /** Seconds that the trails of a transition stay into the next. */
 const LINGER = 0.4;
 
+/** Obstacles in heights of a figure, which sees over them; and how much darker than the sheet they are. */
+const OBSTACLE_HEIGHT = 0.5;
+const OBSTACLE_SHADE = 0.14;
+
 /** Throws `NoGraphics` where the browser draws nothing in three dimensions. */
 export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: () => void): World {
   const device = createDevice(host, onLost);
@@ -58,7 +65,9 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
   host.append(words.canvas);
   const space = new Scene();
   const ground = createGround(device.largestTexture, device.sharpness);
-  space.add(ground.mesh);
+  const airspace = createAirspace();
+  const obstacles = createObstacles();
+  space.add(ground.mesh, airspace.lines, obstacles.group);
   const meetable: Meetable = { place: new Float32Array(0), height: 0, radius: 0 };
   let crowd = createCrowd(0);
   let frame: Frame | null = null;
@@ -67,8 +76,16 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
   function drawGround(palette: Palette, cast: Cast): void {
     frame ??= new Frame(palette, cast);
     frame.palette = palette;
-    ground.draw(frame, picture.stage, sheetOf(picture.stage));
+    const sheet = sheetOf(picture.stage);
+    ground.draw(frame, picture.stage, sheet);
     device.clearTo(new Color(palette.ground));
+    airspace.fit(sheet, picture.stage.height);
+    airspace.setColor(new Color(palette.lineStrong));
+    obstacles.build(picture.obstacles, OBSTACLE_HEIGHT * picture.sizes.figure);
+    obstacles.setColors(
+      new Color(palette.sheet).lerp(new Color(palette.ink3), OBSTACLE_SHADE),
+      new Color(palette.ink3),
+    );
   }
 
   /** Another number of agents is another crowd. Answers whether it is. */
@@ -127,6 +144,8 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
     dispose() {
       crowd.dispose();
       ground.dispose();
+      airspace.dispose();
+      obstacles.dispose();
       words.canvas.remove();
       device.dispose();
     },
