@@ -43,6 +43,17 @@ describe("what is planned for a side", () => {
   });
 });
 
+test("where motion runs through the keyframes, a trial has the neighbors that shape it", () => {
+  const scene = { ...show(), join: "smooth" as const };
+  const [left, right] = startingSides(scene, [0, 2]) ?? [];
+  if (!left || !right) throw new Error("both transitions are there");
+  const start = commonStart(scene, [0, 2]);
+  const trials = [left, right].map((side) => trialOf(scene, side, start));
+  expect(trials.map((trial) => mainTrack(trial.scene).keyframes.length)).toEqual([4, 4]);
+  for (const { scene: tried, segment } of trials) expect(spanOf(tried, segment)).toEqual({ start, end: start + 5 });
+  expect(Math.min(...trials.flatMap((trial) => mainTrack(trial.scene).keyframes.map(({ time }) => time)))).toBe(0);
+});
+
 test("a changed option is the person's own choice, and in use once it is the scene's", () => {
   const scene = show();
   const [side] = startingSides(scene, [1, 1]) ?? [];

@@ -14,6 +14,9 @@ export interface Trial {
   readonly segment: number;
 }
 
+/** Formations before and after the transition that have a say in it where motion runs through the keyframes. */
+const REACH = 2;
+
 /** When a transition leaves and arrives, scene seconds. */
 export function spanOf(scene: Scene, segment: number): { readonly start: number; readonly end: number } {
   const { keyframes } = mainTrack(scene);
@@ -61,7 +64,8 @@ export function isInUse(scene: Scene, side: Side): boolean {
 }
 
 function windowOf(scene: Scene, segment: number): [first: number, last: number] {
-  return [segment, Math.min(mainTrack(scene).keyframes.length - 1, segment + 1)];
+  const reach = scene.join === "separate" ? 0 : REACH;
+  return [Math.max(0, segment - reach), Math.min(mainTrack(scene).keyframes.length - 1, segment + 1 + reach)];
 }
 
 function timeOf(scene: Scene, keyframe: number): number {

@@ -21,7 +21,7 @@ const NO_PAIRS = new Uint32Array(0);
 
 /** What a formation is made of: its modes one after another, and how they become those of the next formation. */
 export function ModesPanel() {
-  const { document, planner, playback } = useStudio();
+  const { document, planner, playback, view } = useStudio();
   const solo = useSolo();
   const scene = document.scene.value;
   const selection = document.selection.value;
@@ -42,10 +42,11 @@ export function ModesPanel() {
   useEffect(() => {
     // A formation is looked at, not a motion; whoever wants it to go on plays it.
     playback.pause();
+    view.projection.value = "plan";
     return () => {
       picture.value = null;
     };
-  }, [playback]);
+  }, [playback, view]);
 
   return (
     <SidePanel name="Modes" title={<span class="ellipsis">{keyframeLabel(scene, keyframe)}</span>}>
