@@ -1,6 +1,6 @@
 // Timings: the engine natively and in Chromium beside numpy and scipy, and the page's frames. Medians; a ratio says more than a time.
 import { fileURLToPath } from "node:url";
-import { playbackRows } from "./bench/frames.mjs";
+import { perspectiveRows, playbackRows } from "./bench/frames.mjs";
 import { browserRows, nativeRows, peerRows } from "./bench/rows.mjs";
 import { findBrowser } from "./steps/browser.mjs";
 import { buildEngine, buildPage } from "./steps/build.mjs";
@@ -47,5 +47,6 @@ main(async () => {
   }
   if (!peers) console.log("numpy and scipy did not install: no peer.");
   const frames = await step("The page's frames", () => playbackRows(browser));
-  for (const line of frames) console.log(line);
+  const perspective = await step("The perspective view's frames", () => perspectiveRows(browser));
+  for (const line of [...frames, ...perspective]) console.log(line);
 });

@@ -51,8 +51,8 @@ async function dropCsv(page, text) {
   await page.dispatchEvent("html", "drop", { dataTransfer: data });
 }
 
-/** What playing and planning cost the page, a line each. */
-export async function playbackRows(executablePath) {
+/** Serves the built page to a browser while `measure` looks at it. */
+async function withPage(executablePath, flags, measure) {
   const [{ preview }, { chromium }] = await Promise.all([import("vite"), import("@playwright/test")]);
   const server = await preview({
     root: `${root}/web`,
@@ -60,18 +60,41 @@ export async function playbackRows(executablePath) {
     logLevel: "error",
     preview: { host: "127.0.0.1", port: 4190 },
   });
-  const browser = await chromium.launch({ executablePath, args: BROWSER_FLAGS });
-  const lines = [];
+  const browser = await chromium.launch({ executablePath, args: flags });
   try {
-    for (const agentCount of [300, 1260]) {
+    return await measure(async () => {
       const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" });
       await page.goto(server.resolvedUrls.local[0]);
-      await page.getByRole("button", { name: "New", exact: true }).click();
-      await dropCsv(page, showCsv(agentCount, 2));
-      await page.getByRole("listbox", { name: "Keyframes" }).getByRole("option").nth(1).waitFor();
+      return page;
+    });
+  } finally {
+    await browser.close();
+    await new Promise((resolve) => server.httpServer.close(resolve));
+  }
+}
+
+async function openShow(page, agentCount) {
+  await page.getByRole("button", { name: "New", exact: true }).click();
+  await dropCsv(page, showCsv(agentCount, 2));
+  await page.getByRole("listbox", { name: "Keyframes" }).getByRole("option").nth(1).waitFor();
+}
+
+async function planned(page) {
+  await page.waitForFunction(() => !/Planning/.test(document.body.textContent ?? ""), null, { timeout: 120_000 });
+}
+
+const press = (page, name) => page.getByRole("button", { name, exact: true }).click();
+
+/** What playing and planning cost the page, a line each. */
+export function playbackRows(executablePath) {
+  return withPage(executablePath, BROWSER_FLAGS, async (newPage) => {
+    const lines = [];
+    for (const agentCount of [300, 1260]) {
+      const page = await newPage();
+      await openShow(page, agentCount);
       const planning = await gaps(page, 4);
-      await page.waitForFunction(() => !/Planning/.test(document.body.textContent ?? ""), null, { timeout: 120_000 });
-      await page.getByRole("button", { name: "Play", exact: true }).click();
+      await planned(page);
+      await press(page, "Play");
       const playing = await gaps(page, SECONDS);
       const late = playing.filter((gap) => gap > 25).length;
       lines.push(
@@ -79,9 +102,33 @@ export async function playbackRows(executablePath) {
       );
       await page.close();
     }
-  } finally {
-    await browser.close();
-    await new Promise((resolve) => server.httpServer.close(resolve));
-  }
-  return lines;
+    return lines;
+  });
+}
+
+/** What 1,260 agents in perspective cost, on whatever draws here; a line a kind of body. */
+export function perspectiveRows(executablePath) {
+  const flags = BROWSER_FLAGS.filter((flag) => flag !== "--disable-gpu");
+  return withPage(executablePath, flags, async (newPage) => {
+    const page = await newPage();
+    await openShow(page, 1260);
+    await planned(page);
+    await press(page, "Perspective");
+    await page.getByRole("application").waitFor();
+    const device = await page.evaluate(() => {
+      const context = document.createElement("canvas").getContext("webgl2");
+      const names = context?.getExtension("WEBGL_debug_renderer_info");
+      return context && names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "an unnamed device";
+    });
+    const lines = [];
+    for (const bodies of ["Figures", "Cones", "Discs"]) {
+      await page.getByRole("combobox", { name: "Show agents as" }).selectOption(bodies);
+      await press(page, "Play");
+      const playing = await gaps(page, SECONDS);
+      await press(page, "Pause");
+      const rate = (1000 / median(playing)).toFixed(1);
+      lines.push(`1260 agents in perspective as ${bodies.toLowerCase()}: ${rate} frames/s (≥ 30 on a GPU)`);
+    }
+    return [...lines, `drawn by ${device}`];
+  });
 }

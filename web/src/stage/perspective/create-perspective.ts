@@ -96,7 +96,8 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
   }
 
   function draw(): void {
-    const [palette, who] = [watch.palette.peek(), cast.peek()];
+    const palette = watch.palette.peek();
+    const who = cast.peek();
     if (!palette || !who || view.size.peek().width === 0) return;
     picture.show = show.peek();
     picture.time = playback.time.peek();

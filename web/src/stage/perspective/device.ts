@@ -76,10 +76,13 @@ function aim(camera: PerspectiveCamera, { right, up, forward, eye }: Sight, { di
   camera.near = distance / 50;
   camera.far = distance * 50;
   camera.updateProjectionMatrix();
-  const [ex = 0, ey = 0, ez = 0] = eye;
-  const [rx = 0, ry = 0, rz = 0] = right;
-  const [ux = 0, uy = 0, uz = 0] = up;
-  const [fx = 0, fy = 0, fz = 0] = forward;
-  camera.matrix.set(rx, ux, -fx, ex, ry, uy, -fy, ey, rz, uz, -fz, ez, 0, 0, 0, 1);
+  const into = camera.matrix.elements;
+  for (let axis = 0; axis < 3; axis += 1) {
+    into[axis] = right[axis] ?? 0;
+    into[axis + 4] = up[axis] ?? 0;
+    // A camera looks against its own third axis.
+    into[axis + 8] = -(forward[axis] ?? 0);
+    into[axis + 12] = eye[axis] ?? 0;
+  }
   camera.matrixWorldNeedsUpdate = true;
 }

@@ -22,8 +22,10 @@ export class Sight {
   private middleY = 0;
 
   look({ x, y, z, distance, azimuth, elevation }: Orbit, size: Size): void {
-    const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
-    const [rise, run] = [Math.sin(elevation), Math.cos(elevation)];
+    const sin = Math.sin(azimuth);
+    const cos = Math.cos(azimuth);
+    const rise = Math.sin(elevation);
+    const run = Math.cos(elevation);
     fill(this.right, cos, sin, 0);
     fill(this.up, -sin * rise, cos * rise, run);
     fill(this.forward, -sin * run, cos * run, -rise);

@@ -14,7 +14,7 @@ import { createCrowd, markRadius } from "./crowd";
 import { createDevice } from "./device";
 import type { Meetable } from "./finger";
 import { createGround } from "./ground";
-import { drawNames } from "./names";
+import { drawNames, hasNames } from "./names";
 import { createObstacles } from "./obstacles";
 import type { Orbit } from "./orbit";
 import type { Sight } from "./sight";
@@ -138,7 +138,10 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
       if (needs.poses || isNew) pose();
       device.draw(space, sight, picture.orbit);
       const { hovered, selected } = picture;
-      drawNames(words, size, { names: cast.names, palette, bodies: meetable, sight }, hovered, selected);
+      const areNamed = hasNames(hovered, selected);
+      // An empty sheet laid over the other would cost every frame.
+      words.canvas.hidden = !areNamed;
+      if (areNamed) drawNames(words, size, { cast, palette, bodies: meetable, sight }, hovered, selected);
     },
     bodies: () => meetable,
     dispose() {
