@@ -41,18 +41,23 @@ test.describe("without motion of its own", () => {
       await page.keyboard.press(key);
       seen.add(await picture(studio));
     }
+    await studio.drag([
+      [0.5, 0.5],
+      [0.6, 0.4],
+    ]);
+    seen.add(await picture(studio));
     await studio.button("Audience's seat").click();
     seen.add(await picture(studio));
     for (const bodies of ["Cones", "Discs"]) {
       await page.getByRole("combobox", { name: "Show agents as" }).selectOption(bodies);
       seen.add(await picture(studio));
     }
-    expect(seen.size).toBe(8);
+    expect(seen.size).toBe(9);
 
     await studio.button("Reset view").click();
     await page.getByRole("combobox", { name: "Show agents as" }).selectOption("Figures");
     seen.add(await picture(studio));
-    expect(seen.size).toBe(8);
+    expect(seen.size).toBe(9);
   });
 });
 
@@ -104,6 +109,25 @@ test("who is pressed is selected, and taking a tool leads back to the plan", asy
   await page.keyboard.press("d");
   await expect(view(studio)).toHaveCount(0);
   await expect(studio.tool("Draw")).toHaveAttribute("aria-pressed", "true");
+});
+
+test("no frame is drawn while nothing changes", async ({ studio, page }) => {
+  await openInPerspective(studio);
+  await studio.button("Reset view").click();
+  // What was under way has come to rest when a second goes by without a frame asked for.
+  const quiet = () =>
+    page.evaluate(async () => {
+      let asked = 0;
+      const ask = globalThis.requestAnimationFrame;
+      globalThis.requestAnimationFrame = (callback) => {
+        asked += 1;
+        return ask(callback);
+      };
+      await new Promise((done) => setTimeout(done, 1000));
+      globalThis.requestAnimationFrame = ask;
+      return asked;
+    });
+  await expect.poll(quiet).toBe(0);
 });
 
 for (const colorScheme of ["light", "dark"] as const) {
