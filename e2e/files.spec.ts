@@ -65,8 +65,8 @@ const BAD_FILES: readonly (readonly [name: string, content: string | { bytes: nu
   ],
   [
     "later.json",
-    '{ "format": "eigenform", "version": 1, "join": "smooth", "keyframes": [{ "positions": [[0, 0]] }] }',
-    /smooth.*not supported yet.*join/i,
+    '{ "format": "eigenform", "version": 1, "recordings": [{}], "keyframes": [{ "positions": [[0, 0]] }] }',
+    /not supported yet.*recordings/i,
   ],
   ["twice.csv", "keyframe,time,agent,group,x,y\n0,0,Ada,,0,0\n0,0,Ben,,1,0\n0,0,Ada,,2,0\n", /row 4.*agent Ada twice/i],
   ["words.csv", "keyframe,time,agent,group,x,y\n0,0,Ada,,left,0\n", /row 2.*"left".*must be a number/i],

@@ -65,7 +65,7 @@ fn whole(criterion: &mut Criterion) {
 
 fn perform_all(performer: &mut Performer, scene: &Scene) {
     for segment in 0..scene.main_track().segments.len() {
-        let mut job = performer.begin(scene, segment, None);
+        let mut job = performer.begin(scene, segment, &[]);
         while !matches!(job.step(performer).expect("the show can be performed"), Step::Done(_)) {}
     }
 }

@@ -74,8 +74,6 @@ fn values_of_later_versions_are_unsupported() {
     let desk = Desk::new();
     for arguments in [
         &["motion", "show.json", "--method", "crowd"][..],
-        &["motion", "show.json", "--join", "smooth"],
-        &["measure", "show.json", "--join", "product"],
         &["motion", "show.json", "--avoidance", "true"],
         &["motion", "show.json", "--avoidance"],
         &["motion", "--avoidance", "show.json"],

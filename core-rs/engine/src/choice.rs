@@ -113,14 +113,3 @@ pub const DEFAULT_SHARING: f64 = 0.5;
 fn default_sharing() -> f64 {
     DEFAULT_SHARING
 }
-
-impl Timing {
-    /// The parameter t at a fraction 0–1 of the segment's duration, easing at both ends where it eases; `even` takes a fraction of
-    /// the path instead, which only whoever knows the path can tell.
-    pub fn parameter(self, fraction: f64) -> f64 {
-        match self {
-            Self::Linear | Self::Even => fraction,
-            Self::Smooth => fraction * fraction * (3.0 - 2.0 * fraction),
-        }
-    }
-}

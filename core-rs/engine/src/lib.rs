@@ -15,6 +15,7 @@ pub mod measure;
 pub mod motion;
 pub mod obstacle;
 pub mod perform;
+mod recent;
 pub mod scene;
 pub mod spectral;
 pub mod transition;

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use eigenform::choice::{Alignment, Choice, MethodName, Order};
+use eigenform::choice::{Alignment, Choice, Join, MethodName, Order};
 use eigenform::formation::Formation;
 use eigenform::perform::{Performed, Performer, Step, perform};
-use eigenform::scene::{Keyframe, Scene, Segment, read_json};
+use eigenform::scene::{Keyframe, Scene, Segment, TransitionSpec, read_json};
 use glam::DVec2;
 
 /// Three keyframes of nine agents: a block, a wedge that is held, and the block turned.
@@ -25,7 +25,8 @@ fn show() -> Scene {
 }
 
 fn finish(performer: &mut Performer, scene: &Scene, index: usize, held: Option<Choice>) -> Arc<Performed> {
-    let mut job = performer.begin(scene, index, held);
+    let held = vec![held; index + 1];
+    let mut job = performer.begin(scene, index, &held);
     let mut last = -1.0;
     loop {
         match job.step(performer).expect("the show can be performed") {
@@ -112,6 +113,35 @@ fn moving_an_agent_performs_its_two_segments_and_no_other() {
     let after: Vec<_> = (0..3).map(|index| finish(&mut performer, &moved, index, None)).collect();
     let is_same: Vec<bool> = before.iter().zip(&after).map(|(a, b)| Arc::ptr_eq(a, b)).collect();
     assert_eq!(is_same, [false, true, true]);
+}
+
+/// Which of nine segments are performed anew when an agent is moved at the middle keyframe.
+fn performed_anew(join: Join, sharing: f64) -> Vec<usize> {
+    let mut performer = Performer::default();
+    let mut scene = Scene { join, ..show() };
+    let track = &mut scene.tracks[0];
+    let choice = TransitionSpec { method: MethodName::Spectral, sharing, ..TransitionSpec::default() };
+    track.segments = vec![Segment::Transition(choice); 9];
+    let formations: Vec<_> = track.keyframes.iter().map(|keyframe| keyframe.positions.clone()).collect();
+    track.keyframes =
+        (0..10).map(|k| Keyframe { time: k as f64, positions: Arc::new((*formations[k % 3]).clone()), ..Keyframe::default() }).collect();
+    let scene = performer.adopt(scene);
+    let before: Vec<_> = (0..9).map(|index| finish(&mut performer, &scene, index, None)).collect();
+    let mut moved = scene.clone();
+    let mut positions = moved.tracks[0].keyframes[5].positions.positions().to_vec();
+    positions[4] += DVec2::new(0.3, 0.1);
+    moved.tracks[0].keyframes[5].positions = Arc::new(Formation::new(positions));
+    let moved = performer.adopt(moved);
+    let after: Vec<_> = (0..9).map(|index| finish(&mut performer, &moved, index, None)).collect();
+    (0..9).filter(|index| !Arc::ptr_eq(&before[*index], &after[*index])).collect()
+}
+
+#[test]
+fn a_moved_agent_performs_two_segments_anew_four_where_they_join_and_six_where_they_share() {
+    assert_eq!(performed_anew(Join::Separate, 0.5), [4, 5]);
+    assert_eq!(performed_anew(Join::Smooth, 0.0), [3, 4, 5, 6]);
+    assert_eq!(performed_anew(Join::Product, 0.5), [3, 4, 5, 6]);
+    assert_eq!(performed_anew(Join::Smooth, 0.5), [2, 3, 4, 5, 6, 7]);
 }
 
 #[test]

@@ -63,12 +63,13 @@ impl Engine {
         Ok(())
     }
 
-    /// Works on a segment for a while; answers how far it is, 1 when it is done and can be read.
+    /// Works on a segment for a while; answers how far it is, 1 when it is done and can be read. `held`: JSON list, by segment, of what
+    /// to use although it says auto, or null.
     pub fn step(&mut self, segment: usize, held: Option<String>) -> Result<f64, Refusal> {
         let scene = at_hand(self.scene.as_ref());
         let mut job = match self.job.take() {
             Some((index, job)) if index == segment => job,
-            _ => self.performer.begin(scene, segment, held.map(|text| decode::<Choice>(&text))),
+            _ => self.performer.begin(scene, segment, &held.map_or_else(Vec::new, |text| decode::<Vec<Option<Choice>>>(&text))),
         };
         match job.step(&mut self.performer)? {
             Step::Progress(progress) => {

@@ -196,7 +196,8 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
         break;
       case "segment":
         if (areSame(known.inputs, inputs)) {
-          const isHeld = Boolean(of.held[message.segment]);
+          // Its neighbors' choices bend it where they meet.
+          const isHeld = [-1, 0, 1].some((beside) => Boolean(of.held[message.segment + beside]));
           settle(message.segment, inputs, { kind: "ready", plan: planFrom(message.data) }, isHeld);
         } else if (known.result.kind === "planning") {
           // Dragged on since: shown until the newest arrives.

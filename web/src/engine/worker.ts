@@ -113,8 +113,7 @@ function advance(at: NonNullable<typeof plan>, to: Engine): void {
     return;
   }
   try {
-    const choice = held[segment];
-    const progress = to.step(segment, choice ? JSON.stringify(choice) : undefined);
+    const progress = to.step(segment, held.some(Boolean) ? JSON.stringify(held) : undefined);
     if (progress < 1) {
       post({ kind: "progress", plan: at.id, segment, progress });
       return;

@@ -3,19 +3,29 @@
 use std::sync::Arc;
 
 use crate::adjacency::AdjacencySpec;
-use crate::choice::Choice;
+use crate::choice::{Choice, Join, MethodName, Timing};
 use crate::formation::Formation;
-use crate::scene::{Group, Scene, Segment, TransitionSpec};
+use crate::scene::{Group, Keyframe, Scene, Segment, TransitionSpec};
+use crate::transition::{Chain, End};
 
 /// Two equal briefs have the same motion. Large parts are compared by identity.
+///
+/// It holds the keyframes that matter and no others: a moved agent performs the two segments at its keyframe under `separate`, one
+/// more on either side where they meet with one velocity, and one more again where bases are shared.
 #[derive(Clone, Debug)]
 pub(super) struct Brief {
-    pub(super) source: End,
-    pub(super) target: End,
+    keyframes: Vec<Seen>,
     groups: Arc<Vec<Group>>,
-    pub(super) transition: TransitionSpec,
-    /// What to use although the method is auto.
-    pub(super) held: Option<Choice>,
+    /// The segment runs from this one of the keyframes to the next.
+    at: usize,
+    /// Seconds from the departure at each of them to the arrival at the next.
+    durations: Vec<f64>,
+    /// The segment.
+    pub(super) own: Asked,
+    /// Its neighbors where the agents pass without a stop.
+    beside: [Option<Asked>; 2],
+    join: Join,
+    tension: f64,
     /// Departure from the source, scene seconds.
     pub(super) start: f64,
     /// Arrival at the target.
@@ -26,42 +36,119 @@ pub(super) struct Brief {
 
 /// A keyframe as a segment sees it.
 #[derive(Clone, Debug)]
-pub(super) struct End {
-    pub(super) formation: Arc<Formation>,
+struct Seen {
+    /// Its number in the scene; the motion does not depend on it.
+    index: usize,
+    formation: Arc<Formation>,
     adjacency: Arc<AdjacencySpec>,
 }
 
+/// What a segment is asked to do.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Asked {
+    pub(super) transition: TransitionSpec,
+    /// What to use although the method is auto.
+    held: Option<Choice>,
+}
+
+impl Asked {
+    fn of(scene: &Scene, segment: usize, held: &[Option<Choice>]) -> Self {
+        let Segment::Transition(transition) = &scene.main_track().segments[segment];
+        Self { transition: transition.clone(), held: held.get(segment).copied().flatten() }
+    }
+
+    /// As a neighbor: when it runs does not matter there.
+    fn beside(mut self) -> Self {
+        self.transition.timing = Timing::default();
+        self
+    }
+
+    /// The choice; none where auto must find it.
+    pub(super) fn given(&self) -> Option<Choice> {
+        let TransitionSpec { method, order, alignment, sharing, chosen, .. } = self.transition;
+        if method == MethodName::Auto { self.held.or(chosen) } else { Some(Choice { method, order, alignment, sharing }) }
+    }
+
+    /// Whether its bases may move toward those of the keyframes beside.
+    fn may_share(&self) -> bool {
+        self.given().is_none_or(|choice| choice.method == MethodName::Spectral && choice.sharing > 0.0)
+    }
+}
+
 impl Brief {
-    pub(super) fn of(scene: &Scene, index: usize, held: Option<Choice>) -> Self {
+    /// Of segment `index`. `held`: by segment, what to use although it says `auto`; segments beyond its end hold nothing.
+    pub(super) fn of(scene: &Scene, index: usize, held: &[Option<Choice>]) -> Self {
         let track = scene.main_track();
-        let Segment::Transition(transition) = &track.segments[index];
-        let [from, to] = [&track.keyframes[index], &track.keyframes[index + 1]];
-        let end = |keyframe: &crate::scene::Keyframe| End {
+        let asked = |segment: usize| Asked::of(scene, segment, held);
+        let own = asked(index);
+        let before = (!is_stop(scene, index)).then(|| asked(index - 1).beside());
+        let after = (!is_stop(scene, index + 1)).then(|| asked(index + 1).beside());
+        let shares =
+            scene.join == Join::Smooth && [Some(&own), before.as_ref(), after.as_ref()].into_iter().flatten().any(Asked::may_share);
+        let (mut first, mut last) = (index, index + 1);
+        for _ in 0..if shares { 2 } else { 1 } {
+            first -= usize::from(!is_stop(scene, first));
+            last += usize::from(!is_stop(scene, last));
+        }
+        let seen = |(index, keyframe): (usize, &Keyframe)| Seen {
+            index,
             formation: keyframe.positions.clone(),
             adjacency: keyframe.adjacency.as_ref().unwrap_or(&scene.adjacency).clone(),
         };
+        let departure = |keyframe: &Keyframe| keyframe.time + keyframe.hold;
+        let known = &track.keyframes[first..=last];
         Self {
-            source: end(from),
-            target: end(to),
+            keyframes: (first..).zip(known).map(seen).collect(),
             groups: scene.groups.clone(),
-            transition: transition.clone(),
-            held,
-            start: from.time + from.hold,
-            end: to.time,
+            at: index - first,
+            durations: known.windows(2).map(|pair| pair[1].time - departure(&pair[0])).collect(),
+            own,
+            beside: [before, after],
+            join: scene.join,
+            tension: scene.tension,
+            start: departure(&track.keyframes[index]),
+            end: track.keyframes[index + 1].time,
             frame_rate: scene.frame_rate,
             minimum_distance: scene.minimum_distance,
         }
     }
-}
 
-impl Brief {
-    /// The parameter t at a scene time, by the segment's timing.
-    pub(super) fn parameter(&self, time: f64) -> f64 {
-        self.transition.timing.parameter((time - self.start) / (self.end - self.start))
+    /// The keyframes that it depends on, by number in its scene, in order.
+    pub(super) fn keyframes(&self) -> impl Iterator<Item = usize> {
+        self.keyframes.iter().map(|seen| seen.index)
+    }
+
+    /// The segment among those keyframes; `ends`: one each.
+    pub(super) fn chain(&self, ends: Vec<End>) -> Chain {
+        let join = if ends.len() == 2 { Join::Separate } else { self.join };
+        Chain::new(ends, self.durations.clone(), self.at, join, self.tension)
+    }
+
+    /// The segment before, itself and the one after, where they are known, each with the number of its source in the chain.
+    pub(super) fn asked(&self) -> [Option<(usize, &Asked)>; 3] {
+        let [before, after] = &self.beside;
+        [before.as_ref().map(|asked| (self.at - 1, asked)), Some((self.at, &self.own)), after.as_ref().map(|asked| (self.at + 1, asked))]
+    }
+
+    /// Whether the agents stop at the source and at the target.
+    pub(super) fn stops(&self) -> [bool; 2] {
+        [self.beside[0].is_none(), self.beside[1].is_none()]
+    }
+
+    /// The fraction of the segment's time at a scene time.
+    pub(super) fn fraction(&self, time: f64) -> f64 {
+        (time - self.start) / (self.end - self.start)
     }
 }
 
-impl PartialEq for End {
+/// Whether the agents stop at a keyframe: every one where segments are separate, else the first, the last, corners and holds.
+fn is_stop(scene: &Scene, keyframe: usize) -> bool {
+    let keyframes = &scene.main_track().keyframes;
+    let at = &keyframes[keyframe];
+    scene.join == Join::Separate || keyframe == 0 || keyframe + 1 == keyframes.len() || at.corner || at.hold > 0.0
+}
+
+impl PartialEq for Seen {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.formation, &other.formation) && Arc::ptr_eq(&self.adjacency, &other.adjacency)
     }
@@ -70,11 +157,15 @@ impl PartialEq for End {
 impl PartialEq for Brief {
     fn eq(&self, other: &Self) -> bool {
         let numbers = |brief: &Self| [brief.start, brief.end, brief.frame_rate, brief.minimum_distance];
-        self.source == other.source
-            && self.target == other.target
+        // Keyframes alone have no join.
+        let meets = |brief: &Self| (brief.keyframes.len() > 2).then_some((brief.join, brief.tension));
+        self.keyframes == other.keyframes
             && Arc::ptr_eq(&self.groups, &other.groups)
-            && self.transition == other.transition
-            && self.held == other.held
+            && self.at == other.at
+            && self.durations == other.durations
+            && self.own == other.own
+            && self.beside == other.beside
+            && meets(self) == meets(other)
             && numbers(self) == numbers(other)
     }
 }

@@ -1,26 +1,27 @@
 //! One segment's work, in steps: a busy worker cannot hear "cancel", so it pauses between any two.
+//!
+//! Ties of the keyframes → what auto chooses, here and next door → the plan → the clock → samples → numbers.
 
 use std::sync::Arc;
 
-use glam::DVec2;
-
-use super::auto;
+use super::Performer;
 use super::brief::Brief;
+use super::clock::{Clock, path_parameters};
 use super::performed::{Candidate, Performed};
-use super::{Performer, graphs::Graph};
-use crate::choice::{Choice, MethodName};
+use super::sampling::Sampling;
+use super::trial::{Trial, chosen};
+use crate::choice::Choice;
 use crate::error::Error;
-use crate::formation::Formation;
-use crate::measure::{self, Score};
+use crate::measure;
 use crate::motion::{Motion, sample_times};
 use crate::scene::Scene;
-use crate::transition::{End, Ends, Planner, Transition};
-
-/// Positions evaluated in one step; about 10 ms.
-const POSITIONS_PER_STEP: usize = 60_000;
+use crate::transition::{Chain, End, Transition, Way, Ways};
 
 /// How much of a segment's progress is its planning.
 const PLANNING_SHARE: f64 = 0.7;
+
+/// How much is learning the path of an even clock.
+const CLOCK_SHARE: f64 = 0.05;
 
 /// How much is evaluating samples; the rest is measuring them.
 const MOVING_SHARE: f64 = 0.2;
@@ -28,8 +29,11 @@ const MOVING_SHARE: f64 = 0.2;
 /// Steps that one spectral choice takes: eigenbases, pairing, rotation planes.
 const TYPICAL_STEPS: f64 = 6.0;
 
-/// A spectral plan keeps so many matrices of agents × agents.
-const PLAN_MATRICES: usize = 2;
+/// What one choice still to make counts for: more than the ways that auto tries, so that progress never falls.
+const CHOICE_STEPS: f64 = 12.0;
+
+/// A spectral plan of a segment alone keeps so many matrices of agents × agents, and one that passes keyframes so many.
+const PLAN_MATRICES: [usize; 2] = [2, 6];
 
 /// What a step came to.
 pub enum Step {
@@ -45,36 +49,43 @@ pub struct SegmentJob(Phase);
 enum Phase {
     /// Nothing is left to do.
     Done(Arc<Performed>),
-    /// The ties of both ends are not known yet.
-    Start(Box<(Scene, usize, Brief)>),
     Work(Box<Work>),
 }
 
 struct Work {
+    scene: Scene,
     brief: Brief,
-    graphs: [Arc<Graph>; 2],
-    planner: Planner,
     stage: Stage,
     /// Steps so far; a spectral candidate takes several.
     steps: usize,
 }
 
 enum Stage {
-    /// Ways still to try, last first, and those tried.
-    Trying { left: Vec<Choice>, tried: Vec<(Choice, Score)> },
-    /// The way is known.
-    Planning { choice: Choice, candidates: Vec<Candidate> },
+    /// The ties of the keyframes are not all known yet.
+    Tying(Vec<End>),
+    /// What the segment before, the segment itself and the one after use, as far as it is known.
+    Choosing(Choosing),
+    /// All choices are made.
+    Planning(Plan),
+    /// An even clock learns the path.
+    Clocking(Plan, Sampling),
     /// Frames come a few at a time.
-    Moving(Moving),
+    Moving(Plan, Clock, Vec<f64>, Sampling),
 }
 
-struct Moving {
-    choice: Choice,
-    candidates: Vec<Candidate>,
-    transition: Arc<dyn Transition>,
-    times: Vec<f64>,
-    ts: Vec<f64>,
-    positions: Vec<DVec2>,
+struct Choosing {
+    chain: Chain,
+    /// Of the next, where auto must find it.
+    trial: Option<Trial>,
+    known: Vec<Option<Choice>>,
+    /// Of the segment itself.
+    candidates: Arc<Vec<Candidate>>,
+}
+
+struct Plan {
+    chain: Chain,
+    ways: Ways,
+    candidates: Arc<Vec<Candidate>>,
 }
 
 impl SegmentJob {
@@ -82,162 +93,149 @@ impl SegmentJob {
         Self(Phase::Done(performed))
     }
 
-    pub(super) fn new(scene: Scene, index: usize, brief: Brief) -> Self {
-        Self(Phase::Start(Box::new((scene, index, brief))))
+    pub(super) fn new(scene: Scene, brief: Brief) -> Self {
+        Self(Phase::Work(Box::new(Work { scene, brief, stage: Stage::Tying(Vec::new()), steps: 0 })))
     }
 
     /// Works for a while: usually some milliseconds, longer where one eigenproblem of many agents is one step.
     pub fn step(&mut self, performer: &mut Performer) -> Result<Step, Error> {
-        match &mut self.0 {
-            Phase::Done(result) => Ok(Step::Done(result.clone())),
-            Phase::Start(start) => {
-                let (scene, index, brief) = &**start;
-                let graphs = [performer.graphs.of(scene, *index)?, performer.graphs.of(scene, index + 1)?];
-                self.0 = Phase::Work(Box::new(Work::new(brief.clone(), graphs)));
-                Ok(Step::Progress(0.0))
-            }
-            Phase::Work(work) => {
-                let Some(result) = work.step() else { return Ok(Step::Progress(work.progress())) };
-                let result = Arc::new(result);
-                let agent_count = result.motion.agent_count();
-                let bytes = size_of_val(result.motion.positions()) + PLAN_MATRICES * agent_count * agent_count * size_of::<f64>();
-                performer.performed.put(work.brief.clone(), result.clone(), bytes);
-                self.0 = Phase::Done(result.clone());
-                Ok(Step::Done(result))
-            }
-        }
+        let work = match &mut self.0 {
+            Phase::Done(result) => return Ok(Step::Done(result.clone())),
+            Phase::Work(work) => work,
+        };
+        let Some(result) = work.step(performer)? else { return Ok(Step::Progress(work.progress())) };
+        let result = Arc::new(result);
+        let agent_count = result.motion.agent_count();
+        let matrices = PLAN_MATRICES[usize::from(work.brief.stops() != [true, true])];
+        let bytes = size_of_val(result.motion.positions()) + matrices * agent_count * agent_count * size_of::<f64>();
+        performer.performed.put(work.brief.clone(), result.clone(), bytes);
+        performer.planner.tidy();
+        self.0 = Phase::Done(result.clone());
+        Ok(Step::Done(result))
     }
 }
 
 impl Work {
-    fn new(brief: Brief, graphs: [Arc<Graph>; 2]) -> Self {
-        let end = |formation: &Arc<Formation>, graph: &Graph| End {
-            formation: formation.clone(),
-            adjacency: graph.adjacency.clone(),
-            basis: graph.known_eigenbasis(),
+    fn step(&mut self, performer: &mut Performer) -> Result<Option<Performed>, Error> {
+        self.steps += 1;
+        let stage = std::mem::replace(&mut self.stage, Stage::Tying(Vec::new()));
+        self.stage = match stage {
+            Stage::Tying(ends) => self.tie(ends, performer)?,
+            Stage::Choosing(choosing) => self.choose(choosing, performer),
+            Stage::Planning(plan) => self.plan(plan, performer),
+            Stage::Clocking(plan, mut path) => {
+                if path.step() {
+                    Stage::Clocking(plan, path)
+                } else {
+                    let clock = Clock::even(path.transition.agent_count(), &path.positions);
+                    self.set_off(plan, path.transition, clock)
+                }
+            }
+            Stage::Moving(plan, clock, times, mut samples) => {
+                if !samples.step() {
+                    return Ok(Some(self.finish(&plan, clock, times, samples)));
+                }
+                Stage::Moving(plan, clock, times, samples)
+            }
         };
-        let ends = Ends::new(end(&brief.source.formation, &graphs[0]), end(&brief.target.formation, &graphs[1]));
-        let spec = &brief.transition;
-        let own = Choice { method: spec.method, order: spec.order, alignment: spec.alignment, sharing: spec.sharing };
-        let given = if spec.method == MethodName::Auto { brief.held.or(spec.chosen) } else { Some(own) };
-        let stage = if let Some(choice) = given {
-            Stage::Planning { choice, candidates: Vec::new() }
-        } else {
-            let mut left = auto::choices(ends.agent_count());
-            left.reverse();
-            Stage::Trying { left, tried: Vec::new() }
-        };
-        Self { brief, graphs, planner: Planner::new(ends), stage, steps: 0 }
+        Ok(None)
     }
 
-    fn step(&mut self) -> Option<Performed> {
-        self.steps += 1;
-        let keep_size = self.brief.transition.keep_size;
-        match &mut self.stage {
-            Stage::Trying { left, tried } => {
-                if let Some(&choice) = left.last() {
-                    let transition = self.planner.step(&choice, keep_size);
-                    self.keep_eigenbases();
-                    if let (Some(transition), Stage::Trying { left, tried }) = (transition, &mut self.stage) {
-                        left.pop();
-                        tried.push((choice, judge(&*transition, &self.graphs, &self.brief)));
-                    }
-                    return None;
-                }
-                let candidates = auto::decide(std::mem::take(tried));
-                let choice = candidates.iter().find(|candidate| candidate.is_chosen).map(|candidate| candidate.choice)?;
-                self.stage = Stage::Planning { choice, candidates };
-                None
+    /// The ties of the next keyframe.
+    fn tie(&self, mut ends: Vec<End>, performer: &mut Performer) -> Result<Stage, Error> {
+        let mut missing = self.brief.keyframes().skip(ends.len());
+        if let Some(keyframe) = missing.next() {
+            let formation = self.scene.main_track().keyframes[keyframe].positions.clone();
+            ends.push(End { formation, adjacency: performer.graphs.of(&self.scene, keyframe)? });
+        }
+        Ok(if missing.next().is_some() {
+            Stage::Tying(ends)
+        } else {
+            Stage::Choosing(Choosing { chain: self.brief.chain(ends), trial: None, known: Vec::new(), candidates: Arc::default() })
+        })
+    }
+
+    /// The choice of the next of the segments whose choices matter; `known` are those before.
+    fn choose(&self, mut choosing: Choosing, performer: &mut Performer) -> Stage {
+        let asked = self.brief.asked();
+        let Some(next) = asked.get(choosing.known.len()) else {
+            let way = |index: usize| {
+                let (_, asked) = asked[index]?;
+                Some(Way::of(choosing.known[index]?, asked.transition.keep_size))
+            };
+            let ways = Ways { before: way(0), own: way(1).expect("a segment has a choice of its own"), after: way(2) };
+            return Stage::Planning(Plan { chain: choosing.chain, ways, candidates: choosing.candidates });
+        };
+        let Some((source, asked)) = *next else {
+            choosing.known.push(None);
+            return Stage::Choosing(choosing);
+        };
+        if let Some(choice) = asked.given() {
+            choosing.known.push(Some(choice));
+            return Stage::Choosing(choosing);
+        }
+        let trial = choosing.trial.get_or_insert_with(|| {
+            let [from, to] = [source, source + 1].map(|end| choosing.chain.ends()[end].clone());
+            Trial::new(from, to, asked.transition.keep_size, self.brief.minimum_distance)
+        });
+        if let Some(table) = trial.step(&mut performer.planner, &mut performer.tables) {
+            choosing.known.push(Some(chosen(&table)));
+            choosing.trial = None;
+            if source == choosing.chain.at() {
+                choosing.candidates = table;
             }
-            Stage::Planning { choice, candidates } => {
-                let choice = *choice;
-                let candidates = std::mem::take(candidates);
-                let transition = self.planner.step(&choice, keep_size);
-                self.keep_eigenbases();
-                self.stage = match transition {
-                    Some(transition) => Stage::Moving(Moving::new(choice, candidates, transition.into(), &self.brief)),
-                    None => Stage::Planning { choice, candidates },
-                };
-                None
-            }
-            Stage::Moving(moving) => {
-                if moving.step() {
-                    return None;
-                }
-                Some(finish(moving, &self.graphs, &self.brief))
-            }
+        }
+        Stage::Choosing(choosing)
+    }
+
+    fn plan(&self, plan: Plan, performer: &mut Performer) -> Stage {
+        let Some(transition) = performer.planner.step(&plan.chain, &plan.ways) else { return Stage::Planning(plan) };
+        let transition: Arc<dyn Transition> = transition.into();
+        match Clock::of(self.brief.own.transition.timing, self.brief.stops()) {
+            Some(clock) => self.set_off(plan, transition, clock),
+            None => Stage::Clocking(plan, Sampling::new(transition, path_parameters())),
         }
     }
 
-    /// The next segment starts from the same keyframe: what was found of it serves again.
-    fn keep_eigenbases(&self) {
-        let ends = self.planner.ends();
-        for (graph, end) in self.graphs.iter().zip([&ends.source, &ends.target]) {
-            if let Some(basis) = &end.basis {
-                graph.remember(basis);
-            }
+    fn set_off(&self, plan: Plan, transition: Arc<dyn Transition>, clock: Clock) -> Stage {
+        let times = sample_times(self.brief.start, self.brief.end, self.brief.frame_rate);
+        let ts = times.iter().map(|time| clock.parameter(self.brief.fraction(*time))).collect();
+        Stage::Moving(plan, clock, times, Sampling::new(transition, ts))
+    }
+
+    fn finish(&self, plan: &Plan, clock: Clock, times: Vec<f64>, samples: Sampling) -> Performed {
+        let (chain, brief) = (&plan.chain, &self.brief);
+        let [source, target] = [&chain.ends()[chain.at()], &chain.ends()[chain.at() + 1]];
+        let motion = Motion::new(times, chain.agent_count(), samples.positions);
+        let (measures, curves) = measure::measure(&motion, &samples.ts, [&source.adjacency, &target.adjacency], brief.minimum_distance);
+        Performed {
+            choice: plan.ways.own.choice,
+            candidates: plan.candidates.to_vec(),
+            motion,
+            measures,
+            curves,
+            transition: samples.transition,
+            clock,
+            start: brief.start,
+            end: brief.end,
         }
     }
 
     /// Rises with every step; how many steps the planning takes is not known before.
     fn progress(&self) -> f64 {
         match &self.stage {
-            Stage::Trying { left, .. } => PLANNING_SHARE * self.planned(left.len()),
-            Stage::Planning { .. } => PLANNING_SHARE * self.planned(0),
-            Stage::Moving(moving) => {
-                let all = (moving.ts.len() * moving.transition.agent_count()).max(1);
-                PLANNING_SHARE + MOVING_SHARE * moving.positions.len() as f64 / all as f64
+            Stage::Tying(_) => PLANNING_SHARE * self.planned(0, 3),
+            Stage::Choosing(Choosing { trial, known, .. }) => {
+                PLANNING_SHARE * self.planned(trial.as_ref().map_or(0, Trial::left), 3 - known.len())
             }
+            Stage::Planning(_) => PLANNING_SHARE * self.planned(0, 0),
+            Stage::Clocking(_, path) => PLANNING_SHARE + CLOCK_SHARE * path.progress(),
+            Stage::Moving(.., samples) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE * samples.progress(),
         }
     }
 
-    fn planned(&self, left: usize) -> f64 {
+    fn planned(&self, ways_left: usize, choices_left: usize) -> f64 {
         let steps = self.steps as f64;
-        steps / (steps + left as f64 + TYPICAL_STEPS)
-    }
-}
-
-impl Moving {
-    fn new(choice: Choice, candidates: Vec<Candidate>, transition: Arc<dyn Transition>, brief: &Brief) -> Self {
-        let times = sample_times(brief.start, brief.end, brief.frame_rate);
-        let ts = times.iter().map(|time| brief.parameter(*time)).collect();
-        Self { choice, candidates, transition, times, ts, positions: Vec::new() }
-    }
-
-    /// Evaluates some more samples; false when there were none left.
-    fn step(&mut self) -> bool {
-        let agent_count = self.transition.agent_count();
-        let done = self.positions.len() / agent_count.max(1);
-        let next = (done + (POSITIONS_PER_STEP / agent_count.max(1)).max(1)).min(self.ts.len());
-        if agent_count == 0 || done == self.ts.len() {
-            return false;
-        }
-        self.positions.resize(next * agent_count, DVec2::ZERO);
-        self.transition.evaluate_into(&self.ts[done..next], &mut self.positions[done * agent_count..]);
-        true
-    }
-}
-
-fn judge(transition: &dyn Transition, graphs: &[Arc<Graph>; 2], brief: &Brief) -> Score {
-    let ts = auto::trial_parameters();
-    let mut positions = vec![DVec2::ZERO; ts.len() * transition.agent_count()];
-    transition.evaluate_into(&ts, &mut positions);
-    let motion = Motion::new(ts.clone(), transition.agent_count(), positions);
-    measure::score(&motion, &ts, [&graphs[0].adjacency, &graphs[1].adjacency], brief.minimum_distance)
-}
-
-fn finish(moving: &mut Moving, graphs: &[Arc<Graph>; 2], brief: &Brief) -> Performed {
-    let motion = Motion::new(std::mem::take(&mut moving.times), moving.transition.agent_count(), std::mem::take(&mut moving.positions));
-    let (measures, curves) = measure::measure(&motion, &moving.ts, [&graphs[0].adjacency, &graphs[1].adjacency], brief.minimum_distance);
-    Performed {
-        choice: moving.choice,
-        candidates: std::mem::take(&mut moving.candidates),
-        motion,
-        measures,
-        curves,
-        transition: moving.transition.clone(),
-        timing: brief.transition.timing,
-        start: brief.start,
-        end: brief.end,
+        steps / (steps + ways_left as f64 + CHOICE_STEPS * choices_left as f64 + TYPICAL_STEPS)
     }
 }

@@ -1,24 +1,28 @@
 //! From a scene to its motion: scene → tracks → segments → motion → numbers.
 //!
 //! A [`Performer`] keeps what it made for as long as the parts of the scene it came from are the same objects, so that moving one
-//! agent performs two segments anew and nothing else. Long work is a [`SegmentJob`] that is stepped.
+//! agent performs two segments anew and nothing else (four where segments meet with one velocity, six where they share bases too). Long work is a [`SegmentJob`] that is stepped.
 
 mod auto;
 mod brief;
+mod clock;
 mod graphs;
 mod job;
 mod modes;
 mod performed;
-mod recent;
+mod sampling;
 mod show;
 mod text;
+mod trial;
 
 use std::sync::Arc;
 
 use crate::adjacency::{Adjacency, AdjacencySpec};
 use crate::choice::Choice;
 use crate::error::Error;
+use crate::recent::Recent;
 use crate::scene::{Group, Scene};
+use crate::transition::Planner;
 
 pub use job::{SegmentJob, Step};
 pub use performed::{Candidate, Performed, Report};
@@ -26,7 +30,7 @@ pub use show::Performance;
 
 use brief::Brief;
 use graphs::Graphs;
-use recent::Recent;
+use trial::Tables;
 
 /// Motions of one segment of 1,260 agents over 10 s are 6 MB.
 const MOTION_BYTE_LIMIT: usize = 256 << 20;
@@ -34,6 +38,8 @@ const MOTION_BYTE_LIMIT: usize = 256 << 20;
 /// Makes motions, and remembers the latest.
 pub struct Performer {
     graphs: Graphs,
+    planner: Planner,
+    tables: Tables,
     performed: Recent<Brief, Arc<Performed>>,
     groups: Arc<Vec<Group>>,
     adjacency: Arc<AdjacencySpec>,
@@ -44,6 +50,8 @@ impl Default for Performer {
     fn default() -> Self {
         Self {
             graphs: Graphs::default(),
+            planner: Planner::default(),
+            tables: Tables::default(),
             performed: Recent::new(MOTION_BYTE_LIMIT),
             groups: Arc::default(),
             adjacency: Arc::default(),
@@ -70,15 +78,16 @@ impl Performer {
 
     /// The ties of a keyframe.
     pub fn graph(&mut self, scene: &Scene, keyframe: usize) -> Result<Arc<Adjacency>, Error> {
-        Ok(self.graphs.of(scene, keyframe)?.adjacency.clone())
+        self.graphs.of(scene, keyframe)
     }
 
-    /// Starts on segment `index`. `held`: what to use although the segment says `auto`.
-    pub fn begin(&mut self, scene: &Scene, index: usize, held: Option<Choice>) -> SegmentJob {
+    /// Starts on segment `index`. `held`: by segment, what to use although it says `auto`; a neighbor's choice counts where segments
+    /// meet with one velocity.
+    pub fn begin(&mut self, scene: &Scene, index: usize, held: &[Option<Choice>]) -> SegmentJob {
         let brief = Brief::of(scene, index, held);
         match self.performed.get(&brief) {
             Some(known) => SegmentJob::done(known),
-            None => SegmentJob::new(scene.clone(), index, brief),
+            None => SegmentJob::new(scene.clone(), brief),
         }
     }
 
@@ -86,7 +95,7 @@ impl Performer {
     pub fn perform(&mut self, scene: &Scene) -> Result<Performance, Error> {
         let segments = (0..scene.main_track().segments.len())
             .map(|index| {
-                let mut job = self.begin(scene, index, None);
+                let mut job = self.begin(scene, index, &[]);
                 loop {
                     if let Step::Done(performed) = job.step(self)? {
                         return Ok(performed);

@@ -6,21 +6,19 @@ use super::Performer;
 use crate::error::Error;
 use crate::scene::Scene;
 use crate::spectral::{Eigenbasis, ModeMatch, eigenvalues_between};
-use crate::transition::{End, Ends, Planner};
+use crate::transition::End;
 
 impl Performer {
     /// The eigenbasis of a keyframe's ties, kept for the motions that need it.
     pub fn eigenbasis(&mut self, scene: &Scene, keyframe: usize) -> Result<Arc<Eigenbasis>, Error> {
-        let graph = self.graphs.of(scene, keyframe)?;
-        let basis = graph.known_eigenbasis().unwrap_or_else(|| Arc::new(Eigenbasis::of(graph.adjacency.laplacian().as_ref())));
-        graph.remember(&basis);
-        Ok(basis)
+        let adjacency = self.graph(scene, keyframe)?;
+        Ok(self.planner.eigenbasis(&adjacency))
     }
 
     /// How alike the modes at both ends of segment `index` are: of the very bases that spectral turns into one another.
     pub fn mode_match(&mut self, scene: &Scene, index: usize) -> Result<ModeMatch, Error> {
-        let ends = Ends::new(self.end(scene, index)?, self.end(scene, index + 1)?);
-        Ok(Planner::new(ends).mode_match())
+        let (source, target) = (self.end(scene, index)?, self.end(scene, index + 1)?);
+        Ok(self.planner.mode_match(source, target))
     }
 
     /// Eigenvalues of the graph that runs straight from one end of segment `index` to the other, at t = 0, 1/steps, …, 1.
@@ -30,8 +28,7 @@ impl Performer {
     }
 
     fn end(&mut self, scene: &Scene, keyframe: usize) -> Result<End, Error> {
-        let basis = Some(self.eigenbasis(scene, keyframe)?);
         let formation = scene.main_track().keyframes[keyframe].positions.clone();
-        Ok(End { formation, adjacency: self.graph(scene, keyframe)?, basis })
+        Ok(End { formation, adjacency: self.graph(scene, keyframe)? })
     }
 }

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use glam::DVec2;
 use serde::Serialize;
 
-use crate::choice::{Choice, Timing};
+use super::clock::Clock;
+use crate::choice::Choice;
 use crate::measure::{Curves, Measures};
 use crate::motion::Motion;
 use crate::transition::Transition;
@@ -23,7 +24,7 @@ pub struct Performed {
     /// One value a sample.
     pub curves: Curves,
     pub(super) transition: Arc<dyn Transition>,
-    pub(super) timing: Timing,
+    pub(super) clock: Clock,
     pub(super) start: f64,
     pub(super) end: f64,
 }
@@ -65,7 +66,7 @@ impl Performed {
 
     /// Positions at `times` (scene seconds within the segment), from the method itself: `out[k * agent_count + i]`.
     pub fn positions_into(&self, times: &[f64], out: &mut [DVec2]) {
-        let ts: Vec<f64> = times.iter().map(|time| self.timing.parameter((time - self.start) / (self.end - self.start))).collect();
+        let ts: Vec<f64> = times.iter().map(|time| self.clock.parameter((time - self.start) / (self.end - self.start))).collect();
         self.transition.evaluate_into(&ts, out);
     }
 }

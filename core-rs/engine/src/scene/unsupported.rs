@@ -6,37 +6,14 @@ use std::fmt::Display;
 
 use super::place::Place;
 use super::{Scene, Segment, TransitionSpec};
-use crate::choice::{Join, Timing};
 use crate::error::Error;
 
 /// The first such value of a scene that is right otherwise.
 pub(super) fn check(scene: &Scene) -> Result<(), Error> {
-    join(scene)?;
-    corners(scene)?;
-    timing_even(scene)?;
     avoidance(scene)?;
     hierarchy(scene)?;
     obstacles(scene)?;
     space(scene)
-}
-
-fn join(scene: &Scene) -> Result<(), Error> {
-    match scene.join {
-        Join::Separate => Ok(()),
-        Join::Smooth => refuse("\"smooth\"", "\"separate\"", Place::Top.field("join")),
-        Join::Product => refuse("\"product\"", "\"separate\"", Place::Top.field("join")),
-    }
-}
-
-fn corners(scene: &Scene) -> Result<(), Error> {
-    match scene.main_track().keyframes.iter().position(|keyframe| keyframe.corner) {
-        Some(index) => refuse("true", "false", Place::Top.field("keyframes").item(index).field("corner")),
-        None => Ok(()),
-    }
-}
-
-fn timing_even(scene: &Scene) -> Result<(), Error> {
-    no_segment(scene, |transition| transition.timing == Timing::Even, "\"even\"", "\"linear\" or \"smooth\"", "timing")
 }
 
 fn avoidance(scene: &Scene) -> Result<(), Error> {

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::angle::{HALF_TURN_SNAP, wrap};
 
 /// Radii at most this, relative to the greatest, have no direction.
-const TINY_RADIUS: f64 = 1e-7;
+pub(super) const TINY_RADIUS: f64 = 1e-7;
 
 /// Round-off of a coefficient, relative to the greatest radius: the angle of a small one is uncertain by this over its own radius.
 const ROUND_OFF: f64 = 1e-13;
@@ -30,7 +30,7 @@ impl Coefficients {
     /// Curves from `source` to `target`, of equal length, with the common `turn` in radians.
     pub(crate) fn between(source: &[DVec2], target: &[DVec2], turn: f64) -> Self {
         assert_eq!(source.len(), target.len(), "both ends have the same modes");
-        let greatest = source.iter().chain(target).map(|c| c.length()).fold(0.0, f64::max);
+        let greatest = greatest_radius(source.iter().chain(target));
         let curves = source.iter().zip(target).map(|(from, to)| Curve::between(*from, *to, turn, greatest)).collect();
         Self { curves, sizes: None }
     }
@@ -45,40 +45,53 @@ impl Coefficients {
     pub(crate) fn write_columns(&self, ts: &[f64], columns: &mut [f64]) {
         let mode_count = self.curves.len();
         assert_eq!(columns.len(), 2 * mode_count * ts.len(), "two columns for every t");
-        for (k, t) in ts.iter().enumerate() {
-            let (x, y) = columns[2 * mode_count * k..][..2 * mode_count].split_at_mut(mode_count);
-            self.write_at(*t, x, y);
-        }
-    }
-
-    fn write_at(&self, t: f64, x: &mut [f64], y: &mut [f64]) {
-        let mut squares = 0.0;
-        for ((curve, x), y) in self.curves.iter().zip(x.iter_mut()).zip(y.iter_mut()) {
-            let at = curve.at(t);
-            squares += at.length_squared();
-            (*x, *y) = (at.x, at.y);
-        }
-        if let Some([from, to]) = self.sizes
-            && squares > 0.0
-        {
-            let scale = ((1.0 - t) * from + t * to) / squares.sqrt();
-            x.iter_mut().chain(y).for_each(|entry| *entry *= scale);
+        for (t, columns) in ts.iter().zip(columns.chunks_exact_mut((2 * mode_count).max(1))) {
+            let size = self.sizes.map(|[from, to]| (1.0 - t) * from + t * to);
+            write_pair(self.curves.iter().map(|curve| curve.at(*t)), size, columns);
         }
     }
 }
 
+/// Writes a column of all x, then one of all y; scaled so that the root of the summed squares is `size` where one is given.
+pub(super) fn write_pair(coefficients: impl Iterator<Item = DVec2>, size: Option<f64>, columns: &mut [f64]) {
+    let (x, y) = columns.split_at_mut(columns.len() / 2);
+    let mut squares = 0.0;
+    for ((at, x), y) in coefficients.zip(x.iter_mut()).zip(y.iter_mut()) {
+        squares += at.length_squared();
+        (*x, *y) = (at.x, at.y);
+    }
+    if let Some(size) = size
+        && squares > 0.0
+    {
+        let scale = size / squares.sqrt();
+        x.iter_mut().chain(y).for_each(|entry| *entry *= scale);
+    }
+}
+
+/// The angle at `from` and the turn to `to`, radians: along the shorter way once the `common` turn is out. What is tiny beside
+/// `greatest` has no direction of its own and follows the common turn.
+pub(super) fn bearing(from: DVec2, to: DVec2, common: f64, greatest: f64) -> (f64, f64) {
+    let radii = [from.length(), to.length()];
+    let least = radii[0].min(radii[1]);
+    let (angle, end) = (from.to_angle(), to.to_angle());
+    if least > TINY_RADIUS * greatest {
+        (angle, common + wrap(end - angle - common, f64::max(HALF_TURN_SNAP, ROUND_OFF * greatest / least)))
+    } else if radii[0] <= TINY_RADIUS * greatest {
+        (end - common, common)
+    } else {
+        (angle, common)
+    }
+}
+
+/// The greatest radius of all.
+pub(super) fn greatest_radius<'a>(coefficients: impl Iterator<Item = &'a DVec2>) -> f64 {
+    coefficients.map(|c| c.length()).fold(0.0, f64::max)
+}
+
 impl Curve {
     fn between(from: DVec2, to: DVec2, common: f64, greatest: f64) -> Self {
-        let radii = [from.length(), to.length()];
-        let least = radii[0].min(radii[1]);
-        let (mut angle, end) = (from.to_angle(), to.to_angle());
-        let mut turn = common;
-        if least > TINY_RADIUS * greatest {
-            turn += wrap(end - angle - common, f64::max(HALF_TURN_SNAP, ROUND_OFF * greatest / least));
-        } else if radii[0] <= TINY_RADIUS * greatest {
-            angle = end - common;
-        }
-        let mut curve = Self { radii, angle, turn, residuals: [DVec2::ZERO; 2] };
+        let (angle, turn) = bearing(from, to, common, greatest);
+        let mut curve = Self { radii: [from.length(), to.length()], angle, turn, residuals: [DVec2::ZERO; 2] };
         // What a direction of noise leaves open at the ends; round-off elsewhere.
         curve.residuals = [from - curve.at(0.0), to - curve.at(1.0)];
         curve

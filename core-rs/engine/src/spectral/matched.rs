@@ -49,6 +49,11 @@ impl Matched {
         &self.planes
     }
 
+    /// The rotation of all agents that takes the source modes into the target modes; the constant stays.
+    pub(crate) fn turn_of_agents(&self) -> Planes {
+        self.planes.over_agents(self.modes_in_planes.as_ref())
+    }
+
     /// The source modes in the coordinates of the planes, agents × modes.
     pub(crate) fn modes_in_planes(&self) -> MatRef<'_, f64> {
         self.modes_in_planes.as_ref()

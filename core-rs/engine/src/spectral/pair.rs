@@ -43,7 +43,7 @@ impl Pair {
     }
 
     /// The source modes, agents × modes.
-    pub(super) fn source_modes(&self) -> MatRef<'_, f64> {
+    pub(crate) fn source_modes(&self) -> MatRef<'_, f64> {
         self.source.modes()
     }
 

@@ -19,7 +19,7 @@ const EQUAL_COSINES: f64 = 1e-8;
 #[derive(Clone, Debug)]
 pub(crate) struct Planes {
     basis: Mat<f64>,
-    /// In (0, π], one a plane.
+    /// Positive, one a plane; at most π where a rotation was taken apart, which has no other turns.
     angles: Vec<f64>,
 }
 
@@ -31,17 +31,23 @@ impl Planes {
     /// # Panics
     /// When the determinant is −1: a bug, the matching makes it +1.
     pub(crate) fn of(rotation: MatRef<'_, f64>) -> Self {
-        let size = rotation.nrows();
         let eigen = symmetric_eigen(symmetric_part(rotation).as_ref());
         let image = product(rotation, eigen.vectors.as_ref());
+        Self::within(&eigen.values, eigen.vectors.as_ref(), image.as_ref())
+    }
+
+    /// From eigenvectors of the symmetric part and their image under the rotation. `values` ascend and are equal where the cosines are:
+    /// the cosines themselves or their negatives.
+    pub(super) fn within(values: &[f64], vectors: MatRef<'_, f64>, image: MatRef<'_, f64>) -> Self {
+        let size = vectors.nrows();
         let mut angles = Vec::new();
         let mut turning = Vec::new();
         let mut reversed = Vec::new();
         let mut fixed = Vec::new();
         // Columns of `found` in the order of the runs; the lists say which are what.
         let mut found = Mat::zeros(size, size);
-        for run in runs(&eigen.values, EQUAL_COSINES) {
-            let own = eigen.vectors.subcols(run.start, run.len());
+        for run in runs(values, EQUAL_COSINES) {
+            let own = vectors.subcols(run.start, run.len());
             let restricted = product(own.transpose(), image.subcols(run.start, run.len()));
             let parts = split(restricted.as_ref());
             found.subcols_mut(run.start, run.len()).copy_from(product(own, parts.basis.as_ref()));
@@ -69,6 +75,16 @@ impl Planes {
         self.basis.as_ref()
     }
 
+    /// The angles in radians: positive, one a plane.
+    pub(crate) fn angles(&self) -> &[f64] {
+        &self.angles
+    }
+
+    /// The same planes with other angles, one a plane.
+    pub(super) fn with_angles(basis: Mat<f64>, angles: Vec<f64>) -> Self {
+        Self { basis, angles }
+    }
+
     /// Turns columns of coordinates in the planes by `power` of the rotation, in place; they lie one after the other.
     pub(crate) fn turn(&self, power: f64, columns: &mut [f64]) {
         let size = self.basis.ncols();
@@ -81,14 +97,31 @@ impl Planes {
         }
     }
 
-    /// Coordinates in the modes, a row each, turned by `power` of the rotation.
-    pub(super) fn turned(&self, coordinates: &[DVec2], power: f64) -> Vec<DVec2> {
+    /// Coordinates, a row each, turned by `power` of the rotation.
+    pub(crate) fn turned(&self, coordinates: &[DVec2], power: f64) -> Vec<DVec2> {
+        self.in_planes(coordinates, |columns| self.turn(power, columns))
+    }
+
+    /// How fast coordinates, a row each, move when the rotation's power grows by one a second: its logarithm times them.
+    pub(crate) fn velocities(&self, coordinates: &[DVec2]) -> Vec<DVec2> {
+        let size = self.basis.ncols();
+        self.in_planes(coordinates, |columns| {
+            for column in columns.chunks_exact_mut(size) {
+                for (pair, angle) in column.chunks_exact_mut(2).zip(&self.angles) {
+                    (pair[0], pair[1]) = (-angle * pair[1], angle * pair[0]);
+                }
+                column[2 * self.angles.len()..].fill(0.0);
+            }
+        })
+    }
+
+    fn in_planes(&self, coordinates: &[DVec2], act: impl Fn(&mut [f64])) -> Vec<DVec2> {
         let rows = Mat::from_fn(coordinates.len(), 2, |row, column| coordinates[row][column]);
         let within = product(self.basis.transpose(), rows.as_ref());
         let mut columns: Vec<f64> = (0..2).flat_map(|column| within.col(column).iter().copied()).collect();
-        self.turn(power, &mut columns);
-        let turned = product(self.basis.as_ref(), MatRef::from_column_major_slice(&columns, coordinates.len(), 2));
-        (0..coordinates.len()).map(|row| DVec2::new(turned[(row, 0)], turned[(row, 1)])).collect()
+        act(&mut columns);
+        let moved = product(self.basis.as_ref(), MatRef::from_column_major_slice(&columns, coordinates.len(), 2));
+        (0..coordinates.len()).map(|row| DVec2::new(moved[(row, 0)], moved[(row, 1)])).collect()
     }
 }
 

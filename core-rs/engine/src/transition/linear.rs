@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use glam::DVec2;
 
-use super::{Ends, Transition};
+use super::Transition;
+use super::chain::Couple;
 use crate::formation::Formation;
 
 /// Every agent goes straight to its target.
@@ -16,7 +17,7 @@ pub(super) struct Linear {
 
 impl Linear {
     /// Plans it; ties do not matter.
-    pub(super) fn new(ends: &Ends) -> Self {
+    pub(super) fn new(ends: &Couple) -> Self {
         Self { source: ends.source.formation.clone(), target: ends.target.formation.clone() }
     }
 }

@@ -1,20 +1,32 @@
 //! How one formation becomes the next: a file a method behind one trait.
 //!
-//! A method is planned once from two formations and their ties, then evaluated at as many instants as anyone asks for.
-//! It knows nothing of seconds, scenes or frames.
+//! A method is planned once from a [`Chain`] of formations and their ties, then evaluated at as many instants as anyone asks for.
+//! It knows nothing of scenes or frames. A segment on its own is two formations; where agents pass a keyframe without stopping, the
+//! chain holds its neighbors too, and the segments meet there with one velocity.
 
-mod ends;
+mod blend;
+mod carried;
+mod chain;
+mod cubic;
 mod linear;
 mod modal;
+mod pairs;
+mod piece;
 mod planner;
 mod polar;
+mod product;
 mod shared;
+mod smooth;
 mod spectral;
+mod strand;
+mod turns;
 
 use glam::DVec2;
 
-pub use ends::{End, Ends};
-pub use planner::{Planner, plan};
+pub use chain::{Chain, End, Way, Ways};
+pub use planner::Planner;
+
+use blend::Blend;
 
 /// A planned way from a source formation to a target formation.
 pub trait Transition: Send + Sync {

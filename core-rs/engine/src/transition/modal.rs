@@ -3,8 +3,9 @@
 use faer::{MatMut, MatRef};
 use glam::DVec2;
 
+use super::chain::Chain;
 use crate::formation::Formation;
-use crate::spectral::product_into;
+use crate::spectral::{cubic_weights, product_into};
 
 /// How many instants share one product: enough to run at the product's full speed, few enough to bound its buffers.
 const BATCH: usize = 64;
@@ -23,12 +24,52 @@ impl Barycenters {
     }
 }
 
-/// Writes modes · coefficients + barycenter for every t; `modes` is agents × modes.
+/// The barycenter's way past both ends of a segment: a cubic of its place, velocity × duration, place, velocity × duration.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Drift([DVec2; 4]);
+
+impl Drift {
+    /// Along the chain's segment.
+    pub(super) fn of(chain: &Chain) -> Self {
+        let center = |end: usize| chain.formation(end).barycenter();
+        let duration = chain.duration(chain.at());
+        let [source, target] = [chain.at(), chain.at() + 1].map(|end| [center(end), duration * chain.velocity(end, center)]);
+        Self([source[0], source[1], target[0], target[1]])
+    }
+
+    pub(super) fn at(self, t: f64) -> DVec2 {
+        cubic_weights(t).into_iter().zip(self.0).map(|(weight, part)| weight * part).sum()
+    }
+}
+
+/// Writes coefficients + center for every t, where every agent is its own mode.
+///
+/// `coefficients_into(ts, columns)` fills two columns, x and y, for every t of a batch.
+pub(super) fn evaluate_places(
+    agent_count: usize,
+    center_at: impl Fn(f64) -> DVec2,
+    ts: &[f64],
+    out: &mut [DVec2],
+    coefficients_into: impl Fn(&[f64], &mut [f64]),
+) {
+    assert_eq!(out.len(), ts.len() * agent_count, "a place for every agent at every t");
+    let mut columns = vec![0.0; 2 * agent_count];
+    for (t, out) in ts.iter().zip(out.chunks_exact_mut(agent_count.max(1))) {
+        coefficients_into(&[*t], &mut columns);
+        let (x, y) = columns.split_at(agent_count);
+        let center = center_at(*t);
+        for (place, (x, y)) in out.iter_mut().zip(x.iter().zip(y)) {
+            *place = center + DVec2::new(*x, *y);
+        }
+    }
+}
+
+/// Writes modes · coefficients + center for every t; `modes` is agents × modes.
 ///
 /// `coefficients_into(ts, columns)` fills two columns, x and y, for every t of a batch.
 pub(super) fn evaluate_modes(
     modes: MatRef<'_, f64>,
-    barycenters: Barycenters,
+    center_at: impl Fn(f64) -> DVec2,
     ts: &[f64],
     out: &mut [DVec2],
     mut coefficients_into: impl FnMut(&[f64], &mut [f64]),
@@ -37,7 +78,7 @@ pub(super) fn evaluate_modes(
     assert_eq!(out.len(), ts.len() * agent_count, "a place for every agent at every t");
     if mode_count == 0 {
         // Nobody, or one agent that is its own barycenter.
-        out.iter_mut().zip(ts).for_each(|(place, t)| *place = barycenters.at(*t));
+        out.iter_mut().zip(ts).for_each(|(place, t)| *place = center_at(*t));
         return;
     }
     let batch = BATCH.min(ts.len());
@@ -54,7 +95,7 @@ pub(super) fn evaluate_modes(
         );
         let frames = out.chunks_exact_mut(agent_count).zip(places.chunks_exact(2 * agent_count));
         for (t, (out, places)) in ts.iter().zip(frames) {
-            let center = barycenters.at(*t);
+            let center = center_at(*t);
             let (x, y) = places.split_at(agent_count);
             for (place, (x, y)) in out.iter_mut().zip(x.iter().zip(y)) {
                 *place = center + DVec2::new(*x, *y);

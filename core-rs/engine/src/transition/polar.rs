@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-use super::modal::Barycenters;
-use super::{Ends, Transition};
+use super::Transition;
+use super::modal::{Barycenters, evaluate_places};
 use crate::choice::Alignment;
 use crate::formation::Formation;
 use crate::spectral::{Coefficients, turn_between};
@@ -18,12 +18,11 @@ pub(super) struct Polar {
 
 impl Polar {
     /// Plans it; ties do not matter.
-    pub(super) fn new(ends: &Ends, alignment: Alignment) -> Self {
-        let formations = ends.formations();
+    pub(super) fn new(formations: [&Formation; 2], alignment: Alignment) -> Self {
         let turn = turn_between(formations[0], formations[1], alignment);
         let [source, target] = formations.map(about_barycenter);
         Self {
-            agent_count: ends.agent_count(),
+            agent_count: formations[0].agent_count(),
             places: Coefficients::between(&source, &target, turn),
             barycenters: Barycenters::of(formations),
         }
@@ -36,20 +35,13 @@ impl Transition for Polar {
     }
 
     fn evaluate_into(&self, ts: &[f64], out: &mut [DVec2]) {
-        assert_eq!(out.len(), ts.len() * self.agent_count, "a place for every agent at every t");
-        let mut columns = vec![0.0; 2 * self.agent_count];
-        for (k, t) in ts.iter().enumerate() {
-            self.places.write_columns(&[*t], &mut columns);
-            let (x, y) = columns.split_at(self.agent_count);
-            let center = self.barycenters.at(*t);
-            for (place, (x, y)) in out[k * self.agent_count..][..self.agent_count].iter_mut().zip(x.iter().zip(y)) {
-                *place = center + DVec2::new(*x, *y);
-            }
-        }
+        let center_at = |t| self.barycenters.at(t);
+        evaluate_places(self.agent_count, center_at, ts, out, |ts, columns| self.places.write_columns(ts, columns));
     }
 }
 
-fn about_barycenter(formation: &Formation) -> Vec<DVec2> {
+/// Places about their barycenter.
+pub(super) fn about_barycenter(formation: &Formation) -> Vec<DVec2> {
     let center = formation.barycenter();
     formation.positions().iter().map(|p| *p - center).collect()
 }

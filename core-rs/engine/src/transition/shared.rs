@@ -4,9 +4,10 @@
 
 use std::sync::Arc;
 
+use super::Transition;
 use super::modal::{Barycenters, evaluate_modes};
-use super::{Ends, Transition};
 use crate::choice::Alignment;
+use crate::formation::Formation;
 use crate::spectral::{Coefficients, Eigenbasis, turn_between};
 
 /// The coefficients move, the modes stay.
@@ -19,8 +20,7 @@ pub(super) struct Shared {
 
 impl Shared {
     /// Plans it in a basis of the mean Laplacian.
-    pub(super) fn new(ends: &Ends, basis: Arc<Eigenbasis>, alignment: Alignment, keep_size: bool) -> Self {
-        let formations = ends.formations();
+    pub(super) fn new(formations: [&Formation; 2], basis: Arc<Eigenbasis>, alignment: Alignment, keep_size: bool) -> Self {
         let turn = turn_between(formations[0], formations[1], alignment);
         let [source, target] = formations.map(|formation| basis.coefficients(formation));
         let coefficients = Coefficients::between(&source, &target, turn);
@@ -35,6 +35,6 @@ impl Transition for Shared {
     }
 
     fn evaluate_into(&self, ts: &[f64], out: &mut [glam::DVec2]) {
-        evaluate_modes(self.basis.modes(), self.barycenters, ts, out, |ts, columns| self.coefficients.write_columns(ts, columns));
+        evaluate_modes(self.basis.modes(), |t| self.barycenters.at(t), ts, out, |ts, columns| self.coefficients.write_columns(ts, columns));
     }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use eigenform::adjacency::{AdjacencySpec, build};
 use eigenform::choice::{Alignment, Choice, MethodName, Order};
 use eigenform::formation::Formation;
-use eigenform::transition::{End, Ends, Planner};
+use eigenform::transition::{Chain, End, Planner, Way, Ways};
 use glam::DVec2;
 
 pub const ORDERS: [Order; 4] = [Order::Eigenvalue, Order::Greedy, Order::Maxmin, Order::Hungarian];
@@ -33,14 +33,20 @@ impl Case {
         Formation::new(self.source.clone()).extent().max(Formation::new(self.target.clone()).extent())
     }
 
-    pub fn ends(&self) -> Ends {
+    pub fn planned(&self) -> Planned {
         let end = |positions: &[DVec2]| {
             let formation = Formation::new(positions.to_vec());
             let adjacency = build(&formation, &self.spec, &[]).expect("few ties");
-            End { formation: Arc::new(formation), adjacency: Arc::new(adjacency), basis: None }
+            End { formation: Arc::new(formation), adjacency: Arc::new(adjacency) }
         };
-        Ends::new(end(&self.source), end(&self.target))
+        Planned { chain: Chain::between(end(&self.source), end(&self.target)), planner: Planner::default() }
     }
+}
+
+/// A case, and what was found out about it.
+pub struct Planned {
+    chain: Chain,
+    planner: Planner,
 }
 
 /// Every method with every option that it knows.
@@ -57,8 +63,8 @@ pub fn choices() -> Vec<Choice> {
 }
 
 /// Positions at each t, one row a t.
-pub fn motion(planner: &mut Planner, choice: &Choice, keep_size: bool, ts: &[f64]) -> Vec<Vec<DVec2>> {
-    let transition = planner.plan(choice, keep_size);
+pub fn motion(planned: &mut Planned, choice: &Choice, keep_size: bool, ts: &[f64]) -> Vec<Vec<DVec2>> {
+    let transition = planned.planner.plan(&planned.chain, &Ways::all(Way::of(*choice, keep_size)));
     let agent_count = transition.agent_count();
     let mut out = vec![DVec2::NAN; agent_count * ts.len()];
     transition.evaluate_into(ts, &mut out);
@@ -144,7 +150,7 @@ pub fn symmetric_in_step() -> Vec<Case> {
 }
 
 /// The same places with other agents in them, in an order of no symmetry.
-fn shuffled(points: &[DVec2]) -> Vec<DVec2> {
+pub fn shuffled(points: &[DVec2]) -> Vec<DVec2> {
     let mut order: Vec<(DVec2, DVec2)> = scattered(points.len(), 77).into_iter().zip(points.iter().copied()).collect();
     order.sort_by(|(p, _), (q, _)| p.x.total_cmp(&q.x));
     order.into_iter().map(|(_, point)| point).collect()

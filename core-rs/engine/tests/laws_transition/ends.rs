@@ -1,6 +1,5 @@
 //! What holds at the ends, and that there is an answer in between.
 
-use eigenform::transition::Planner;
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -8,7 +7,7 @@ use super::cases::{Case, all_cases, choices, farthest, motion};
 use super::common::any_formation;
 
 fn check(case: &Case) {
-    let mut planner = Planner::new(case.ends());
+    let mut planner = case.planned();
     let tolerance = 1e-9 * case.extent().max(1.0);
     for choice in choices() {
         for keep_size in [false, true] {

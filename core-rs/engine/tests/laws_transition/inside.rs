@@ -1,7 +1,6 @@
 //! What holds between the ends: where the formation is, and how large.
 
 use eigenform::choice::MethodName;
-use eigenform::transition::Planner;
 use glam::DVec2;
 
 use super::cases::{all_cases, choices, motion};
@@ -20,7 +19,7 @@ fn size(points: &[DVec2]) -> f64 {
 #[test]
 fn the_barycenter_goes_straight_and_evenly() {
     for case in all_cases() {
-        let mut planner = Planner::new(case.ends());
+        let mut planner = case.planned();
         let tolerance = 1e-9 * case.extent().max(1.0);
         for choice in choices().into_iter().filter(|choice| choice.method != MethodName::Polar) {
             for (frame, t) in motion(&mut planner, &choice, false, &TS).iter().zip(TS) {
@@ -34,7 +33,7 @@ fn the_barycenter_goes_straight_and_evenly() {
 #[test]
 fn a_formation_never_shrinks_below_the_root_of_its_ends() {
     for case in all_cases() {
-        let mut planner = Planner::new(case.ends());
+        let mut planner = case.planned();
         let [from, to] = [size(&case.source), size(&case.target)];
         // Modes too small to have a direction (1e-7 of the greatest) enter with their residuals: squares of 1e-14.
         let tolerance = 1e-9 * (from + to).max(1.0);
@@ -50,7 +49,7 @@ fn a_formation_never_shrinks_below_the_root_of_its_ends() {
 #[test]
 fn a_formation_that_keeps_its_size_has_it_at_every_instant() {
     for case in all_cases() {
-        let mut planner = Planner::new(case.ends());
+        let mut planner = case.planned();
         let [from, to] = [size(&case.source), size(&case.target)];
         // Barycenters are known to eps of the distance from the origin.
         let tolerance = 1e-9 * (from + to).max(1.0);

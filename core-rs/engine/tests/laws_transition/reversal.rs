@@ -1,7 +1,6 @@
 //! Played backwards, the way there is the way back; where the order of modes does not depend on who chooses first.
 
 use eigenform::choice::{MethodName, Order};
-use eigenform::transition::Planner;
 
 use super::cases::{Case, choices, farthest, generic, motion, symmetric};
 
@@ -9,7 +8,7 @@ const TS: [f64; 5] = [0.0, 0.2, 0.5, 0.9, 1.0];
 
 fn check(case: &Case, tolerance: f64) {
     let back = Case { name: "back".into(), source: case.target.clone(), target: case.source.clone(), ..case.clone() };
-    let (mut there, mut back) = (Planner::new(case.ends()), Planner::new(back.ends()));
+    let (mut there, mut back) = (case.planned(), back.planned());
     let reversed = TS.map(|t| 1.0 - t);
     // Greedy lets the source choose first, and maxmin starts from greedy.
     let is_even = |order| matches!(order, Order::Eigenvalue | Order::Hungarian);

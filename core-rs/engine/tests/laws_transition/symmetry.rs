@@ -1,7 +1,6 @@
 //! A motion follows its formations: new labels, another place on the stage, another scale, a mirror.
 
 use eigenform::choice::{Choice, MethodName, Order};
-use eigenform::transition::Planner;
 use glam::DVec2;
 
 use super::cases::{Case, choices, farthest, generic, motion, symmetric, symmetric_in_step};
@@ -10,7 +9,7 @@ const TS: [f64; 4] = [0.1, 0.5, 0.77, 1.0];
 
 /// Checks that the motion of `changed` is the motion of `case` with every frame through `through`.
 fn check(case: &Case, changed: &Case, tolerance: f64, through: impl Fn(&[DVec2]) -> Vec<DVec2>) {
-    let (mut planner, mut other) = (Planner::new(case.ends()), Planner::new(changed.ends()));
+    let (mut planner, mut other) = (case.planned(), changed.planned());
     let is_lawful = |choice: &Choice| !case.is_in_step || choice.method != MethodName::Spectral || choice.order != Order::Eigenvalue;
     for choice in choices().into_iter().filter(is_lawful) {
         let frames = motion(&mut planner, &choice, false, &TS);

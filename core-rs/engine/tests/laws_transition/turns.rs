@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use eigenform::choice::{Alignment, Choice, MethodName, Order};
-use eigenform::transition::Planner;
 use glam::DVec2;
 
 use super::cases::{Case, choices, farthest, grid, line, motion, ring, scattered, turned};
@@ -28,7 +27,7 @@ fn a_turned_copy_is_a_rigid_turn_under_every_option() {
             let shift = DVec2::new(4.0, -9.0);
             let target = turned(&shape, angle).into_iter().map(|p| p + shift).collect();
             let case = Case::new(name, shape.clone(), target);
-            let mut planner = Planner::new(case.ends());
+            let mut planner = case.planned();
             // Symmetric shapes: the tie-break decides, and round-off of the turned copy grows by 1/1e-6.
             let tolerance = 1e-7 * case.extent();
             let center = shape.iter().sum::<DVec2>() / shape.len() as f64;
@@ -53,7 +52,7 @@ fn straight_lines_collapse_a_half_turn_and_polar_ones_turn_it() {
     let shape = scattered(20, 33);
     let center = shape.iter().sum::<DVec2>() / 20.0;
     let about: Vec<DVec2> = shape.iter().map(|p| *p - center).collect();
-    let mut planner = Planner::new(Case::new("half turn", about.clone(), turned(&about, PI)).ends());
+    let mut planner = Case::new("half turn", about.clone(), turned(&about, PI)).planned();
     let mut middle = |method| {
         let choice = Choice { method, order: Order::Greedy, alignment: Alignment::Pca, sharing: 0.0 };
         motion(&mut planner, &choice, false, &[0.5]).remove(0)

@@ -1,0 +1,197 @@
+//! What a transition runs between, and what it passes on the way.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use crate::adjacency::Adjacency;
+use crate::choice::{Choice, Join};
+use crate::formation::Formation;
+
+/// Where agents stand at a keyframe and who keeps place with whom. Compared by identity.
+#[derive(Clone, Debug)]
+pub struct End {
+    /// Where the agents stand.
+    pub formation: Arc<Formation>,
+    /// Who keeps place with whom.
+    pub adjacency: Arc<Adjacency>,
+}
+
+impl PartialEq for End {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.formation, &other.formation) && Arc::ptr_eq(&self.adjacency, &other.adjacency)
+    }
+}
+
+/// Two keyframes next to each other. Compared by identity.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Couple {
+    pub(super) source: End,
+    pub(super) target: End,
+}
+
+impl Couple {
+    pub(super) fn formations(&self) -> [&Formation; 2] {
+        [&self.source.formation, &self.target.formation]
+    }
+}
+
+/// A segment among the keyframes that its motion depends on: the same agents at each, passed without a stop.
+///
+/// The agents stop at the first and the last, or these are too far from the segment to matter: a segment depends on the next
+/// keyframe on either side, and with sharing on one more. A group of barycenters is a chain like any other.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    ends: Vec<End>,
+    durations: Vec<f64>,
+    at: usize,
+    join: Join,
+    tension: f64,
+}
+
+impl Chain {
+    /// A segment on its own: it stops at both ends.
+    ///
+    /// # Panics
+    /// As [`Chain::new`].
+    pub fn between(source: End, target: End) -> Self {
+        Self::new(vec![source, target], vec![1.0], 0, Join::Separate, 0.0)
+    }
+
+    /// The segment from `ends[at]` to `ends[at + 1]`; `durations[i]` seconds from `ends[i]` to the next. `join` is how it meets the
+    /// segments beside it, with `tension` 0–1.
+    ///
+    /// # Panics
+    /// When formations and adjacencies are not of the same agents, there is no such segment, or a separate one has neighbors: a bug.
+    pub fn new(ends: Vec<End>, durations: Vec<f64>, at: usize, join: Join, tension: f64) -> Self {
+        assert!(at + 1 < ends.len() && durations.len() + 1 == ends.len(), "a segment runs between two keyframes");
+        assert!(join != Join::Separate || ends.len() == 2, "a separate segment has no neighbors");
+        let agent_count = ends[0].formation.agent_count();
+        let counts = ends.iter().flat_map(|end| [end.formation.agent_count(), end.adjacency.agent_count()]);
+        assert!(counts.into_iter().all(|count| count == agent_count), "all keyframes are of the same agents");
+        // The paper's formula counts segments, not seconds.
+        let durations = if join == Join::Product { vec![1.0; durations.len()] } else { durations };
+        Self { ends, durations, at, join, tension }
+    }
+
+    /// How many agents.
+    pub fn agent_count(&self) -> usize {
+        self.ends[0].formation.agent_count()
+    }
+
+    /// The keyframes, in order.
+    pub fn ends(&self) -> &[End] {
+        &self.ends
+    }
+
+    /// The segment's index among its keyframes: it runs from this one to the next.
+    pub fn at(&self) -> usize {
+        self.at
+    }
+
+    /// The segment without its neighbors.
+    #[must_use]
+    pub fn alone(&self) -> Self {
+        Self::between(self.ends[self.at].clone(), self.ends[self.at + 1].clone())
+    }
+
+    /// Whether the agents stop at both ends, so that no join matters.
+    pub(super) fn is_alone(&self) -> bool {
+        self.ends.len() == 2
+    }
+
+    pub(super) fn join(&self) -> Join {
+        self.join
+    }
+
+    pub(super) fn tension(&self) -> f64 {
+        self.tension
+    }
+
+    /// Seconds from keyframe `pair` to the next; 1 where the join counts segments.
+    pub(super) fn duration(&self, pair: usize) -> f64 {
+        self.durations[pair]
+    }
+
+    pub(super) fn formation(&self, end: usize) -> &Formation {
+        &self.ends[end].formation
+    }
+
+    pub(super) fn couple(&self, pair: usize) -> Couple {
+        Couple { source: self.ends[pair].clone(), target: self.ends[pair + 1].clone() }
+    }
+
+    /// Keyframes next to `end`, itself included.
+    pub(super) fn around(&self, end: usize) -> std::ops::RangeInclusive<usize> {
+        end.saturating_sub(1)..=(end + 1).min(self.ends.len() - 1)
+    }
+
+    /// What the ways from the keyframe before and to the one after contribute to the velocity at `end`, per second (Catmull-Rom,
+    /// for uneven times). At a stop the keyframe itself takes the missing one's place, as paper A duplicates it.
+    pub(super) fn pace(&self, end: usize) -> [f64; 2] {
+        let before = end.checked_sub(1).map(|pair| self.durations[pair]);
+        let after = self.durations.get(end).copied();
+        match (before, after) {
+            (Some(b), Some(a)) => {
+                let scale = 2.0 * self.tension / (b + a);
+                [scale * a / b, scale * b / a]
+            }
+            (Some(b), None) => [self.tension / b, 0.0],
+            (None, Some(a)) => [0.0, self.tension / a],
+            (None, None) => [0.0; 2],
+        }
+    }
+
+    /// The velocity of a path through `places`, one a keyframe, at `end`.
+    pub(super) fn velocity(&self, end: usize, place: impl Fn(usize) -> DVec2) -> DVec2 {
+        let [before, after] = self.pace(end);
+        let here = place(end);
+        let arriving = if before == 0.0 { DVec2::ZERO } else { before * (here - place(end - 1)) };
+        let leaving = if after == 0.0 { DVec2::ZERO } else { after * (place(end + 1) - here) };
+        arriving + leaving
+    }
+}
+
+/// How agents move in one segment: a method with its options.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Way {
+    /// The method. `auto` is none: it tries others.
+    pub choice: Choice,
+    /// Scale the coefficients so that the formation keeps its size (spectral, shared).
+    pub keeps_size: bool,
+    /// A second choice and its share, 0–1.
+    pub blend: Option<(Choice, f64)>,
+}
+
+impl Way {
+    /// A single choice.
+    pub fn of(choice: Choice, keeps_size: bool) -> Self {
+        Self { choice, keeps_size, blend: None }
+    }
+
+    /// What it mixes, with the shares.
+    pub(super) fn parts(&self) -> Vec<(Choice, f64)> {
+        match self.blend {
+            None => vec![(self.choice, 1.0)],
+            Some((second, share)) => vec![(self.choice, 1.0 - share), (second, share)],
+        }
+    }
+}
+
+/// The ways of a segment and of its neighbors, whose velocity it meets at the keyframes between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ways {
+    /// Of the segment before; not asked for at a stop.
+    pub before: Option<Way>,
+    /// Of the segment itself.
+    pub own: Way,
+    /// Of the segment after; not asked for at a stop.
+    pub after: Option<Way>,
+}
+
+impl Ways {
+    /// The same way everywhere.
+    pub fn all(way: Way) -> Self {
+        Self { before: Some(way), own: way, after: Some(way) }
+    }
+}
