@@ -40,7 +40,7 @@ export function emptyScene(): Scene {
     tempo: { beatsPerMinute: 120, beatsPerBar: 4, start: 0 },
     frameRate: 30,
     minimumDistance: NEW_MINIMUM_DISTANCE,
-    join: "separate",
+    join: "smooth",
     tension: 0.5,
     groups: [],
     adjacency: DEFAULT_ADJACENCY,

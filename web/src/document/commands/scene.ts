@@ -32,7 +32,7 @@ export function setJoin(join: Join): Command {
   return { label: "Change join", apply: (scene) => patch(scene, { join }) };
 }
 
-/** @param tension 0 as loose as possible, 1 no velocity at keyframes */
+/** @param tension 0 for no velocity at keyframes, 0.5 as from neighbor to neighbor, 1 for twice that */
 export function setTension(tension: number): Command {
   return {
     label: "Change tension",

@@ -1,9 +1,10 @@
-import { setFrameRate, setStage, setTempo } from "../../document/commands/scene";
+import { setFrameRate, setJoin, setStage, setTempo, setTension } from "../../document/commands/scene";
 import { setBase, WHOLE_SCENE } from "../../document/commands/ties";
 import { LIMITS } from "../../document/limits";
 import { type Backdrop, mainTrack, type Units } from "../../document/scene";
 import { metersPer } from "../../document/units";
 import { NumberBox } from "../controls/number-box";
+import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
 import { Segmented } from "../controls/segmented";
 import { Select } from "../controls/select";
@@ -12,8 +13,9 @@ import { GroupList } from "./group-list";
 import { Head } from "./head";
 import { MinimumDistanceRow } from "./minimum-distance-row";
 import { ProposeGroups } from "./propose-groups";
-import { isLongUnit, sizeQuantity, wholeQuantity } from "./quantities";
+import { isLongUnit, sizeQuantity, TENSION, wholeQuantity } from "./quantities";
 import { Section } from "./section";
+import { JOINS } from "./words";
 
 const BACKDROPS: readonly { value: Backdrop; label: string }[] = [
   { value: "grid", label: "Grid" },
@@ -66,6 +68,7 @@ export function ScenePanel() {
           />
         </Row>
         <MinimumDistanceRow />
+        <JoinRows />
         <Row label="Frame rate">
           <NumberBox
             label="Frame rate"
@@ -105,6 +108,20 @@ export function ScenePanel() {
       </Section>
       {isEmpty ? <BringOneIn /> : <GroupList parent={[]} title="Groups" />}
       <ProposeGroups inside={[]} />
+    </>
+  );
+}
+
+function JoinRows() {
+  const { document } = useStudio();
+  const { join, tension } = document.scene.value;
+  return (
+    <>
+      <Row label="Join">
+        <Select label="Join" value={join} choices={JOINS} onChoose={(chosen) => document.perform(setJoin(chosen))} />
+      </Row>
+      <p class="inspector-text row-text">{JOINS.find((word) => word.value === join)?.text}</p>
+      {join === "smooth" && <QuantityRow label="Tension" value={tension} quantity={TENSION} command={setTension} />}
     </>
   );
 }

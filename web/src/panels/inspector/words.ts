@@ -1,4 +1,4 @@
-import type { Alignment, MethodName, Order, Timing } from "../../document/scene";
+import type { Alignment, Join, MethodName, Order, Timing } from "../../document/scene";
 
 interface Word<T extends string> {
   readonly value: T;
@@ -29,6 +29,25 @@ export const ALIGNMENTS: readonly Word<Alignment>[] = [
 export const TIMINGS: readonly Word<Timing>[] = [
   { value: "smooth", label: "Smooth" },
   { value: "linear", label: "Linear" },
+  { value: "even", label: "Even" },
+];
+
+export const JOINS: readonly (Word<Join> & { readonly text: string })[] = [
+  {
+    value: "separate",
+    label: "Separate",
+    text: "Every keyframe is a stop: agents slow down into it and start anew.",
+  },
+  {
+    value: "smooth",
+    label: "Smooth",
+    text: "Agents pass keyframes in one sweep and stop only where one holds or is a corner.",
+  },
+  {
+    value: "product",
+    label: "Product",
+    text: "The published formula: transitions act one upon the other, all at once.",
+  },
 ];
 
 export function methodWord(method: MethodName): string {

@@ -1,0 +1,114 @@
+import type { Page } from "@playwright/test";
+import { expect, type Studio, test, textOf } from "./fixtures/studio";
+
+interface Motion {
+  readonly times: readonly number[];
+  readonly positions: readonly (readonly (readonly [x: number, y: number])[])[];
+}
+
+/** The motion as other tools get it. */
+async function motionOf(studio: Studio, page: Page): Promise<Motion> {
+  await studio.planned();
+  await studio.button("Export").click();
+  const text = await textOf(await studio.downloadOf(() => studio.button("Download Motion, JSON").click()));
+  await page.keyboard.press("Escape");
+  await expect(studio.dialog).toHaveCount(0);
+  return JSON.parse(text) as Motion;
+}
+
+/** Meters a second of the first agent across one frame at `time`. */
+function speedAt({ times, positions }: Motion, time: number): number {
+  const frame = times.findIndex((at) => at >= time - 1e-9);
+  const [before, after] = [positions[frame - 1]?.[0], positions[frame + 1]?.[0]];
+  if (!before || !after) throw new Error(`there are no frames around ${time} s`);
+  return Math.hypot(after[0] - before[0], after[1] - before[1]) / ((times[frame + 1] ?? 0) - (times[frame - 1] ?? 0));
+}
+
+/** Twelve agents in rows that turn and widen on their way across; the joints are no stops. */
+function turningShow(segment: object): string {
+  const formation = (angle: number, stretch: number, dx: number) =>
+    Array.from({ length: 12 }, (_, agent) => {
+      const [u, v] = [((agent % 4) - 1.5) * 2 * stretch, (Math.floor(agent / 4) - 1) * 2];
+      return [u * Math.cos(angle) - v * Math.sin(angle) + dx, u * Math.sin(angle) + v * Math.cos(angle)];
+    });
+  return JSON.stringify({
+    format: "eigenform",
+    version: 1,
+    title: "Turning",
+    join: "smooth",
+    keyframes: [
+      { time: 0, positions: formation(0, 1, -8) },
+      { time: 4, positions: formation(0.7, 1.3, -1) },
+      { time: 9, positions: formation(1.6, 0.9, 5) },
+      { time: 13, positions: formation(2, 1, 12) },
+    ],
+    segments: [segment, segment, segment],
+  });
+}
+
+test("a new show runs through its keyframes, and stops where one is a corner", async ({ studio, page }) => {
+  await studio.makeShow();
+  await studio.button("Add keyframe").click();
+  await expect(studio.keyframes).toHaveCount(3);
+  await studio.draw([
+    [0.2, 0.2],
+    [0.6, 0.3],
+  ]);
+  const joint = (await studio.sceneFile()).keyframes[1]?.time ?? 0;
+  const speed = async () => speedAt(await motionOf(studio, page), joint);
+  expect(await speed()).toBeGreaterThan(0.2);
+
+  await test.step("a corner is a stop", async () => {
+    await studio.keyframes.nth(1).click();
+    await studio.inspector.getByRole("checkbox", { name: "Corner" }).check();
+    await expect(studio.keyframes.nth(1)).toHaveAccessibleDescription(/corner/);
+    expect(await speed()).toBeLessThan(0.05);
+    await studio.button("Undo").click();
+    await expect(studio.inspector.getByRole("checkbox", { name: "Corner" })).not.toBeChecked();
+  });
+
+  await test.step("so is every keyframe of a show whose transitions are separate", async () => {
+    await page.keyboard.press("Escape");
+    await studio.inspector.getByRole("combobox", { name: "Join" }).selectOption("Separate");
+    expect(await speed()).toBeLessThan(0.05);
+    await expect(studio.inspector.getByRole("slider", { name: "Tension" })).toHaveCount(0);
+    await studio.button("Undo").click();
+    await expect(studio.inspector.getByRole("slider", { name: "Tension" })).toBeVisible();
+  });
+
+  await test.step("without tension the pace at keyframes is lost", async () => {
+    const tension = studio.inspector.getByRole("spinbutton", { name: "Tension" });
+    await tension.fill("0");
+    await tension.press("Enter");
+    expect(await speed()).toBeLessThan(0.05);
+  });
+});
+
+for (const [name, segment, most] of [
+  ["linear", { method: "linear" }, 0.3],
+  ["spectral", { method: "spectral" }, 0.3],
+  ["what auto took", {}, 0.3],
+] as const) {
+  test(`a keyframe at the playhead leaves the motion where it was: ${name}`, async ({ studio, page }) => {
+    await studio.openFirst();
+    await studio.drop("turning.eigenform.json", turningShow(segment));
+    await expect(studio.title).toHaveValue("Turning");
+    const before = await motionOf(studio, page);
+    await page.getByRole("slider", { name: "Time" }).focus();
+    await page.keyboard.press("Home");
+    for (let step = 0; step < 6; step += 1) await page.keyboard.press("PageUp");
+    await studio.button("Add keyframe").click();
+    await expect(studio.keyframes).toHaveCount(5);
+    const after = await motionOf(studio, page);
+    expect(after.times).toEqual(before.times);
+    let furthest = 0;
+    for (const [frame, places] of before.positions.entries()) {
+      for (const [agent, [x, y]] of places.entries()) {
+        const [px, py] = after.positions[frame]?.[agent] ?? [Number.NaN, Number.NaN];
+        furthest = Math.max(furthest, Math.hypot(px - x, py - y));
+      }
+    }
+    test.info().annotations.push({ type: "deviation", description: `${furthest.toFixed(3)} m` });
+    expect(furthest).toBeLessThan(most);
+  });
+}
