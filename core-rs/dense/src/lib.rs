@@ -10,7 +10,7 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch};
 use faer::linalg::matmul::matmul;
 use faer::prelude::default;
-use faer::{Accum, Mat, MatMut, MatRef, Par, Scale};
+use faer::{Accum, ColRef, Mat, MatMut, MatRef, Par, Scale};
 
 /// A symmetric matrix as eigenvalues, ascending, and orthonormal eigenvectors, a column each.
 pub struct SymmetricEigen {
@@ -35,7 +35,7 @@ pub fn symmetric_eigen(matrix: MatRef<'_, f64>) -> SymmetricEigen {
     }
     // faer's divide and conquer compares entries of the matrix with those of unit vectors, so a matrix far from 1 loses digits
     // (all of them below 1e-16). A power of two changes no digit itself.
-    let unit = power_of_two_near(matrix.norm_max());
+    let unit = power_of_two_near(largest(matrix));
     let scaled = matrix * Scale(unit.recip());
     let mut values = Diag::zeros(size);
     let mut vectors = Mat::zeros(size, size);
@@ -60,6 +60,16 @@ pub fn product(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> Mat<f64> {
 /// out = left · right.
 pub fn product_into(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
     matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
+}
+
+/// The largest absolute entry; 0 of an empty matrix.
+pub fn largest(matrix: MatRef<'_, f64>) -> f64 {
+    matrix.col_iter().flat_map(ColRef::iter).fold(0.0, |largest, entry| entry.abs().max(largest))
+}
+
+/// The root of the sum of squares of all entries, which are neither so large nor so small that their squares are lost.
+pub fn norm(matrix: MatRef<'_, f64>) -> f64 {
+    matrix.col_iter().flat_map(ColRef::iter).map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
 /// The determinant of a square matrix.

@@ -3,20 +3,17 @@
 use serde::{Deserialize, Serialize};
 
 /// A method with its options, as `auto` compares and keeps them.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Choice {
     /// Never `auto`.
     pub method: MethodName,
     /// Used by spectral.
-    #[serde(default)]
     pub order: Order,
     /// Used by spectral, shared, polar.
-    #[serde(default)]
     pub alignment: Alignment,
     /// Used by spectral.
-    #[serde(default = "default_sharing")]
     pub sharing: f64,
 }
 
@@ -39,9 +36,9 @@ pub enum MethodName {
 }
 
 /// A second method that a group moves by, and its share.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Blend {
     /// Never `auto`.
     pub method: MethodName,
@@ -109,7 +106,3 @@ pub enum Timing {
 
 /// Sharing where none is given.
 pub const DEFAULT_SHARING: f64 = 0.5;
-
-fn default_sharing() -> f64 {
-    DEFAULT_SHARING
-}

@@ -14,6 +14,7 @@ pub mod grouping;
 pub mod measure;
 pub mod motion;
 pub mod obstacle;
+mod order;
 pub mod perform;
 mod recent;
 pub mod scene;

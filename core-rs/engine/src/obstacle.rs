@@ -3,12 +3,12 @@
 //! Geometry only: it knows neither names nor who must keep away.
 
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
 /// The outline of an obstacle; meters, as formations.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
+#[serde(tag = "kind", rename_all = "lowercase")]
 pub enum ObstacleShape {
     /// All points nearer to the center than the radius.
     Circle {

@@ -4,7 +4,6 @@ mod support;
 
 use std::sync::Arc;
 
-use eigenform::formation::Formation;
 use eigenform::scene::{self, Scene, document, read_json, write_json};
 use glam::DVec2;
 use proptest::prelude::*;
@@ -15,6 +14,19 @@ use support::arbitrary_scene;
 struct Flat {
     xy: Vec<f64>,
     heights: Option<Vec<f64>>,
+}
+
+/// The document as the page sends it, positions still in place: the one track's fields at the top, obstacles flat.
+fn rest_of(scene: &Scene) -> serde_json::Value {
+    let mut value: serde_json::Value = serde_json::from_str(&document::write(scene)).unwrap();
+    let top = value.as_object_mut().unwrap();
+    let mut tracks = top.remove("tracks").unwrap();
+    top.append(tracks[0].as_object_mut().unwrap());
+    for obstacle in top["obstacles"].as_array_mut().unwrap() {
+        let mut shape = obstacle.as_object_mut().unwrap().remove("shape").unwrap();
+        obstacle.as_object_mut().unwrap().append(shape.as_object_mut().unwrap());
+    }
+    value
 }
 
 proptest! {
@@ -35,8 +47,8 @@ proptest! {
 
     #[test]
     fn a_page_document_reads_back_with_its_formations(scene in arbitrary_scene()) {
-        let mut value: serde_json::Value = serde_json::from_str(&document::write(&scene)).unwrap();
-        for (keyframe, expected) in value["tracks"][0]["keyframes"].as_array_mut().unwrap().iter_mut().zip(&scene.tracks[0].keyframes) {
+        let mut value = rest_of(&scene);
+        for (keyframe, expected) in value["keyframes"].as_array_mut().unwrap().iter_mut().zip(&scene.tracks[0].keyframes) {
             let positions = keyframe.as_object_mut().unwrap().remove("positions").unwrap();
             let Flat { xy, heights } = serde_json::from_value(positions).unwrap();
             prop_assert_eq!(xy, expected.positions.positions().iter().flat_map(DVec2::to_array).collect::<Vec<_>>());
@@ -54,16 +66,16 @@ proptest! {
 #[test]
 fn a_page_document_has_a_formation_for_every_keyframe_and_no_positions() {
     let scene = Scene::default();
-    let whole = document::write(&scene);
-    let rest = whole.replace("\"positions\":{\"xy\":[],\"heights\":null},", "");
+    let whole = rest_of(&scene).to_string();
+    let rest = whole.replace(",\"positions\":{\"heights\":null,\"xy\":[]}", "");
     let formation = Arc::clone(&scene.main_track().keyframes[0].positions);
     assert_eq!(document::read(&rest, vec![Arc::clone(&formation)]), Ok(scene));
     let cases = [
         (rest.clone(), vec![], "wrong-count"),
         (rest.clone(), vec![Arc::clone(&formation); 2], "wrong-count"),
-        (rest.clone(), vec![Arc::new(Formation::new(vec![DVec2::ZERO]))], "wrong-count"),
-        (whole, vec![Arc::clone(&formation)], "invalid-json"),
-        (rest.replace("\"tracks\":[", "\"tracks\":[],\"x\":["), vec![Arc::clone(&formation)], "invalid-json"),
+        (whole, vec![Arc::clone(&formation)], "unknown-field"),
+        (rest.replace("\"keyframes\":[", "\"keyframes\":[{}],\"x\":["), vec![Arc::clone(&formation)], "unknown-field"),
+        ("{".to_owned(), vec![Arc::clone(&formation)], "invalid-json"),
         (rest.replace("30.0", "500.0"), vec![formation], "out-of-range"),
     ];
     for (rest, formations, code) in cases {

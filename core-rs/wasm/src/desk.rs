@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use eigenform::adjacency::Adjacency;
 use eigenform::assignment;
+use eigenform::choice::Choice;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::grouping::{self, Way};
@@ -11,7 +12,6 @@ use eigenform::perform::{Performed, Performer};
 use eigenform::scene::{self, Scene, Source};
 use eigenform::spectral::{Eigenbasis, ModeMatch};
 use glam::DVec2;
-use serde::de::DeserializeOwned;
 use serde_json::json;
 use wasm_bindgen::JsValue;
 
@@ -35,9 +35,9 @@ pub fn keep_panic_messages() {
     std::panic::set_hook(Box::new(|panic| wasm_bindgen::throw_str(&panic.to_string())));
 }
 
-/// JSON that this page's own client wrote.
-pub fn decode<T: DeserializeOwned>(text: &str) -> T {
-    serde_json::from_str(text).expect("the client writes what the protocol says")
+/// Choices, or none, that this page's own client wrote: one a segment.
+pub fn choices(text: &str) -> Vec<Option<Choice>> {
+    scene::document::read_choices(text).unwrap_or_else(|_| panic!("the client writes what the protocol says"))
 }
 
 pub fn encode<T: serde::Serialize>(value: &T) -> String {

@@ -8,13 +8,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eigenform::adjacency::Adjacency;
-use eigenform::choice::Choice;
 use eigenform::formation::Formation;
 use eigenform::perform::{Performed, Performer, SegmentJob, Step};
 use eigenform::scene::Scene;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use desk::{Refusal, decode, encode};
+use desk::{Refusal, encode};
 
 /// One engine: a scene at hand, formations by the page's numbers, caches, and at most one job.
 #[wasm_bindgen]
@@ -69,7 +68,7 @@ impl Engine {
         let scene = at_hand(self.scene.as_ref());
         let mut job = match self.job.take() {
             Some((index, job)) if index == segment => job,
-            _ => self.performer.begin(scene, segment, &held.map_or_else(Vec::new, |text| decode::<Vec<Option<Choice>>>(&text))),
+            _ => self.performer.begin(scene, segment, &held.map_or_else(Vec::new, |text| desk::choices(&text))),
         };
         match job.step(&mut self.performer)? {
             Step::Progress(progress) => {

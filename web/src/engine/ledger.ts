@@ -30,7 +30,7 @@ function textOf(part: object): string {
   return text;
 }
 
-/** The scene as JSON without its positions; large unchanged parts cost a look-up. */
+/** The scene as a scene file without its head and positions; large unchanged parts cost a look-up. */
 export function restOf(scene: Scene): string {
   const { groups, adjacency, tracks, obstacles, ...scalars } = scene;
   const track = mainTrack(scene);
@@ -40,7 +40,8 @@ export function restOf(scene: Scene): string {
   });
   const head = JSON.stringify(scalars).slice(0, -1);
   const segments = track.segments.map(textOf);
-  return `${head},"groups":${textOf(groups)},"adjacency":${textOf(adjacency)},"obstacles":${textOf(obstacles)},"tracks":[{"agents":${textOf(track.agents)},"keyframes":[${keyframes}],"segments":[${segments}]}]}`;
+  const flat = JSON.stringify(obstacles.map(({ name, shape }) => ({ name, ...shape })));
+  return `${head},"groups":${textOf(groups)},"adjacency":${textOf(adjacency)},"obstacles":${flat},"agents":${textOf(track.agents)},"keyframes":[${keyframes}],"segments":[${segments}]}`;
 }
 
 /** What one worker was told, so that nothing is sent twice. */

@@ -4,6 +4,7 @@ use super::delaunay::propose;
 use super::{Adjacency, AdjacencySpec, Base, Tie, Weights};
 use crate::error::Error;
 use crate::formation::Formation;
+use crate::order;
 
 /// Ties by groups and by hand at one keyframe, before those of one pair are merged; proposed ties are not counted.
 pub const TIE_LIMIT: usize = 50_000;
@@ -48,9 +49,9 @@ pub fn build(formation: &Formation, spec: &AdjacencySpec, group_ties: &[GroupTie
         // First, so that the factors of one pair multiply in the order of the steps.
         steps.splice(0..0, propose(formation).into_iter().map(|pair| (pair, 1.0)));
     }
-    steps.sort_by_key(|step| step.0);
+    order::sort_by_key(&mut steps, |step| order::key_of_pair(step.0));
     let mut cuts: Vec<(u32, u32)> = spec.cuts.iter().map(|&(a, b)| ascending(a, b)).collect();
-    cuts.sort_unstable();
+    order::sort_by_key(&mut cuts, |cut| order::key_of_pair(*cut));
     let mut ties: Vec<Tie> = steps
         .chunk_by(|p, q| p.0 == q.0)
         .filter(|steps| cuts.binary_search(&steps[0].0).is_err())
@@ -132,8 +133,8 @@ fn median(mut values: Vec<f64>) -> Option<f64> {
     if values.is_empty() {
         return None;
     }
-    let (below, &mut upper, _) = values.select_nth_unstable_by(middle, f64::total_cmp);
-    Some(if is_even { f64::midpoint(below.iter().copied().fold(0.0, f64::max), upper) } else { upper })
+    order::sort_by_key(&mut values, |value| u128::from(order::of_real(*value)));
+    Some(if is_even { f64::midpoint(values[middle - 1], values[middle]) } else { values[middle] })
 }
 
 fn ascending(a: u32, b: u32) -> (u32, u32) {

@@ -12,6 +12,7 @@ use super::coincidence::representatives;
 use super::facets::neighbors_in_space;
 use super::subdivision::{SLIVER_TOLERANCE, subdivision};
 use crate::formation::{Formation, Places};
+use crate::order;
 
 /// Agents nearer than this, relative to the extent, stand in one place.
 pub const COINCIDENCE_TOLERANCE: f64 = 1e-9;
@@ -27,7 +28,7 @@ pub fn propose(formation: &Formation) -> Vec<Edge> {
     let standing: Vec<DVec3> = apart.iter().map(|&agent| points[agent as usize]).collect();
     let own = plane_of(&standing).map_or_else(|| neighbors_in_space(&standing), |plan| subdivision(&plan));
     edges.extend(own.into_iter().map(|(a, b)| (apart[a as usize], apart[b as usize])));
-    edges.sort_unstable();
+    order::sort_by_key(&mut edges, |edge| order::key_of_pair(*edge));
     edges
 }
 

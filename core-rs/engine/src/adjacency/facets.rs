@@ -13,6 +13,7 @@ use glam::{DVec2, DVec3};
 use super::Edge;
 use super::joining::join_components;
 use super::subdivision::COCIRCULAR_TOLERANCE;
+use crate::order;
 
 /// The tangent of the angle by which a ball must keep everybody else out: two of them make the cocircular tolerance of the plane.
 const CLEARANCE: f64 = COCIRCULAR_TOLERANCE / 2.0;
@@ -35,7 +36,7 @@ pub(super) fn neighbors_in_space(points: &[DVec3]) -> Vec<Edge> {
         let at = points[a as usize];
         others.clear();
         others.extend((0..count).filter(|&c| c != a).map(|c| (points[c as usize].distance_squared(at), c)));
-        others.sort_unstable_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
+        order::sort_by_key(&mut others, |other| u128::from(order::of_real(other.0)));
         edges.extend((a + 1..count).filter(|&b| facet.has_inside(points, (a, b), &others)).map(|b| (a, b)));
     }
     let pairs = (0..count).flat_map(|b| (0..b).map(move |a| (a, b)));

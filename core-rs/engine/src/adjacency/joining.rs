@@ -2,6 +2,7 @@
 
 use super::Edge;
 use super::components::Components;
+use crate::order;
 
 /// Lengths that differ by less than this fraction are equally short.
 const EQUAL_LENGTH_TOLERANCE: f64 = 1e-9;
@@ -18,12 +19,12 @@ pub(super) fn join_components(agent_count: usize, candidates: impl Iterator<Item
         return;
     }
     let mut candidates: Vec<(f64, Edge)> = candidates.collect();
-    candidates.sort_by(|p, q| p.0.total_cmp(&q.0).then(p.1.cmp(&q.1)));
+    order::sort_by_key(&mut candidates, |&(length, (a, b))| order::key_of_two(order::of_real(length), u64::from(a) << 32 | u64::from(b)));
     let mut rest = &mut candidates[..];
     while missing > 0 && !rest.is_empty() {
         let limit = rest[0].0 * (1.0 + EQUAL_LENGTH_TOLERANCE);
         let (equal, longer) = rest.split_at_mut(rest.partition_point(|edge| edge.0 <= limit));
-        equal.sort_unstable_by_key(|edge| edge.1);
+        order::sort_by_key(equal, |edge| order::key_of_pair(edge.1));
         for &mut (_, (a, b)) in equal {
             if components.join(a, b) {
                 edges.push((a, b));

@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 /// Who belongs with whom, as the person says it; an [`super::Adjacency`] is what it comes to at one formation.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct AdjacencySpec {
     /// Where the ties start from.
     pub base: Base,

@@ -8,6 +8,7 @@ use super::Edge;
 use super::joining::join_components;
 use super::triangulation::{Raw, triangulate};
 use crate::formation::principal_axes;
+use crate::order;
 
 /// A triangle whose height is at most this fraction of its longest side has no inside to speak of.
 ///
@@ -27,7 +28,7 @@ pub(super) fn subdivision(points: &[DVec2]) -> Vec<Edge> {
     if corners.is_empty() {
         return chain(points);
     }
-    corners.sort_unstable_by_key(|corner| corner.edge);
+    order::sort_by_key(&mut corners, |corner| order::key_of_pair(corner.edge));
     let mut edges: Vec<Edge> =
         corners.chunk_by(|p, q| p.edge == q.edge).filter(|sides| !is_diagonal(sides)).map(|sides| sides[0].edge).collect();
     let length = |(a, b): Edge| points[a as usize].distance(points[b as usize]);
@@ -36,6 +37,7 @@ pub(super) fn subdivision(points: &[DVec2]) -> Vec<Edge> {
 }
 
 /// One corner of a kept triangle: the edge it faces and its angle, radians.
+#[derive(Clone, Copy)]
 struct Corner {
     edge: Edge,
     angle: f64,
@@ -61,11 +63,7 @@ fn is_sliver(points: &[DVec2], [a, b, c]: [u32; 3]) -> bool {
 /// Ties each agent to the next along the line they stand on.
 fn chain(points: &[DVec2]) -> Vec<Edge> {
     let along = DVec2::from_angle(principal_axes(points).angle);
-    let place = |agent: u32| (along.dot(points[agent as usize]), along.perp_dot(points[agent as usize]));
-    let mut ordered: Vec<u32> = (0..points.len() as u32).collect();
-    ordered.sort_by(|&a, &b| {
-        let ((a_along, a_across), (b_along, b_across)) = (place(a), place(b));
-        a_along.total_cmp(&b_along).then(a_across.total_cmp(&b_across))
-    });
+    let place = |point: &DVec2| order::key_of_two(order::of_real(along.dot(*point)), order::of_real(along.perp_dot(*point)));
+    let ordered = order::by_key(points.iter().map(place));
     ordered.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1]))).collect()
 }

@@ -6,6 +6,8 @@
 use glam::DVec2;
 use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation};
 
+use crate::order;
+
 /// Triangles and edges between agents.
 #[derive(Debug, Default)]
 pub(super) struct Raw {
@@ -20,7 +22,7 @@ pub(super) fn triangulate(points: &[DVec2]) -> Raw {
     let Some(widest) = wide_triangle(points) else { return Raw::default() };
     let count = points.len();
     let mut rest: Vec<u32> = (0..count as u32).filter(|agent| !widest.contains(agent)).collect();
-    rest.sort_by_cached_key(|&agent| along_z_curve(points[agent as usize]));
+    order::sort_by_key(&mut rest, |&agent| u128::from(along_z_curve(points[agent as usize])));
     let mut triangulation = DelaunayTriangulation::<Site>::with_capacity(count, 3 * count, 2 * count);
     for agent in widest.into_iter().chain(rest) {
         triangulation.insert(Site { at: points[agent as usize], agent }).expect("positions are finite and within range");

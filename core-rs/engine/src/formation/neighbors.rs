@@ -3,9 +3,10 @@
 //! A sparse grid: cells are kept by sorting, so a point far away from all others costs nothing. It lies in plan: in space nobody is
 //! nearer than seen from above, so what is near is among what it visits.
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use super::{Places, bounds};
+use crate::order;
 
 /// Cells a side at most: row and column take 20 bits each.
 const CELLS_A_SIDE: f64 = (1u32 << 19) as f64;
@@ -80,10 +81,9 @@ impl PairSearch {
 /// Two agents that are near one another, though not always the nearest: what they are apart bounds the least distance from above.
 /// The lower index first; none below two agents.
 pub fn near_pair(places: Places<'_>) -> Option<(u32, u32)> {
-    let mut order: Vec<u32> = (0..places.agent_count() as u32).collect();
     let at = |agent: u32| places.at(agent as usize);
-    let by_place = |p: DVec3, q: DVec3| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(p.z.total_cmp(&q.z));
-    order.sort_unstable_by(|&a, &b| by_place(at(a), at(b)).then(a.cmp(&b)));
+    let mut order = order::by_key(places.iter().map(|at| u128::from(order::of_real(at.z))));
+    order::sort_by_key(&mut order, |&agent| order::key_of_two(order::of_real(at(agent).x), order::of_real(at(agent).y)));
     let distance = |pair: (u32, u32)| at(pair.0).distance_squared(at(pair.1));
     let pairs = order.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1])));
     pairs.min_by(|&p, &q| distance(p).total_cmp(&distance(q)))

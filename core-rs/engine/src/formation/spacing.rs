@@ -1,6 +1,7 @@
 //! How big a formation is and how close its agents stand.
 
 use super::{Formation, PairSearch};
+use crate::order;
 
 impl Formation {
     /// The root of the mean squared distance from the barycenter, meters; 0 for no agents.
@@ -36,7 +37,7 @@ impl Formation {
             }
             radius *= 2.0;
         }
-        nearest.sort_unstable_by(f64::total_cmp);
+        order::sort_by_key(&mut nearest, |distance| u128::from(order::of_real(*distance)));
         let (lower, upper) = (nearest[(agent_count - 1) / 2].sqrt(), nearest[agent_count / 2].sqrt());
         Some(f64::midpoint(lower, upper))
     }

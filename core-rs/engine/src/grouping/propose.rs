@@ -6,6 +6,7 @@ use super::graph::Graph;
 use super::split::{SAME_COST, Split, split};
 use crate::adjacency::Adjacency;
 use crate::formation::Formation;
+use crate::order;
 
 /// Bisecting deeper is not asked for: a scene's groups nest eight deep at most, and a proposal may land inside others.
 pub const MOST_LEVELS: u32 = 6;
@@ -43,7 +44,7 @@ pub enum Way {
 /// When an agent is not of the formation: a bug.
 pub fn propose(formation: &Formation, adjacency: &Adjacency, agents: &[u32], way: Way) -> Vec<Branch> {
     let mut agents = agents.to_vec();
-    agents.sort_unstable();
+    order::sort_by_key(&mut agents, |agent| u128::from(*agent));
     agents.dedup();
     let graph = || Graph::of(adjacency, &agents);
     match way {

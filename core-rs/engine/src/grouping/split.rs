@@ -6,6 +6,7 @@
 use super::fiedler::fiedler;
 use super::graph::Graph;
 use crate::formation::Formation;
+use crate::order;
 
 /// Values nearer than this, relative to their range, are one: symmetric agents are not parted by round-off.
 const SAME_VALUE: f64 = 1e-7;
@@ -34,8 +35,7 @@ pub(super) fn split(graph: &Graph, formation: &Formation, share: f64) -> Option<
         return None;
     }
     let values = fiedler(graph, formation);
-    let mut line: Vec<u32> = (0..graph.agent_count() as u32).collect();
-    line.sort_unstable_by(|&a, &b| values[a as usize].total_cmp(&values[b as usize]).then(a.cmp(&b)));
+    let line = order::by_key(values.iter().map(|value| u128::from(order::of_real(*value))));
     let range = values[*line.last()? as usize] - values[line[0] as usize];
     let mut is_left = vec![false; line.len()];
     let mut cut = 0.0;
@@ -58,7 +58,7 @@ pub(super) fn split(graph: &Graph, formation: &Formation, share: f64) -> Option<
     let (cost, count) = best?;
     let mut sides = [line[..count].to_vec(), line[count..].to_vec()];
     for side in &mut sides {
-        side.sort_unstable();
+        order::sort_by_key(side, |agent| u128::from(*agent));
     }
     Some(Split { cost, sides })
 }
@@ -71,6 +71,6 @@ fn apart(pieces: &[Vec<u32>]) -> Split {
     let chosen = pieces.iter().position(|piece| size(piece) == largest).unwrap_or(0);
     let mut others: Vec<u32> =
         pieces.iter().enumerate().filter(|(index, _)| *index != chosen).flat_map(|(_, piece)| piece.clone()).collect();
-    others.sort_unstable();
+    order::sort_by_key(&mut others, |agent| u128::from(*agent));
     Split { cost: 0.0, sides: [pieces[chosen].clone(), others] }
 }

@@ -3,6 +3,7 @@
 use crate::adjacency::Adjacency;
 use crate::formation::Places;
 use crate::motion::Motion;
+use crate::order;
 
 /// A tie that is due this short, relative to the extent, has no length to be true to.
 const NO_LENGTH: f64 = 1e-9;
@@ -28,7 +29,7 @@ impl Distortion {
         let [first, last] = [0, motion.times().len() - 1].map(|k| motion.places(k));
         let mut halves: Vec<(u32, u32, f64)> =
             graphs.iter().flat_map(|graph| graph.ties()).map(|tie| (tie.a, tie.b, 0.5 * tie.weight)).collect();
-        halves.sort_by_key(|&(a, b, _)| (a, b));
+        order::sort_by_key(&mut halves, |&(a, b, _)| order::key_of_pair((a, b)));
         let ties = halves
             .chunk_by(|p, q| (p.0, p.1) == (q.0, q.1))
             .map(|same| {

@@ -1,4 +1,4 @@
-//! The scene between the engine and the page: the shape of [`Scene`] itself, tracks included.
+//! The scene between the engine and the page: out in the shape of [`Scene`] itself, tracks included, and in as a scene file.
 //!
 //! Formations travel beside the text on the way in, as numbers the page holds anyway, and inside it on the way out,
 //! as flat numbers: `xy` x0, y0, x1, y1, … and in space `heights` z0, z1, …
@@ -8,8 +8,9 @@ use std::sync::Arc;
 use glam::DVec2;
 use serde::{Serialize, Serializer};
 
-use super::normalize::{normalize_adjacency, normalize_groups};
-use super::{Scene, limits, validate};
+use super::Scene;
+use super::json::read_rest;
+use crate::choice::Choice;
 use crate::error::Error;
 use crate::formation::Formation;
 
@@ -21,30 +22,15 @@ pub fn write(scene: &Scene) -> String {
     serde_json::to_string(scene).expect("a scene is plain data")
 }
 
-/// A scene of `rest`, which has no positions, and the formations of its keyframes in order, shared and not copied.
+/// The scene of a scene file whose keyframes have no positions, which needs no head and is complete otherwise, and of the formations of
+/// its keyframes in order, shared and not copied.
 pub fn read(rest: &str, formations: Vec<Arc<Formation>>) -> Result<Scene, Error> {
-    if rest.len() > limits::FILE_BYTES {
-        return Err(Error::FileTooLarge { bytes: rest.len(), limit: limits::FILE_BYTES });
-    }
-    let mut scene: Scene = serde_json::from_str(rest).map_err(|error| Error::InvalidJson {
-        message: error.to_string(),
-        place: format!("line {} column {}", error.line(), error.column()),
-    })?;
-    let found = formations.len();
-    let keyframes: Vec<_> = scene.tracks.iter_mut().flat_map(|track| &mut track.keyframes).collect();
-    if found != keyframes.len() {
-        return Err(Error::WrongCount { what: "formations", found, expected: keyframes.len(), place: "keyframes".to_owned() });
-    }
-    for (keyframe, formation) in keyframes.into_iter().zip(formations) {
-        keyframe.positions = formation;
-        if let Some(own) = &mut keyframe.adjacency {
-            normalize_adjacency(Arc::make_mut(own));
-        }
-    }
-    normalize_adjacency(Arc::make_mut(&mut scene.adjacency));
-    normalize_groups(Arc::make_mut(&mut scene.groups).as_mut_slice());
-    validate(&scene)?;
-    Ok(scene)
+    read_rest(rest, formations)
+}
+
+/// Methods with their options as the page holds them, one a segment or null.
+pub fn read_choices(text: &str) -> Result<Vec<Option<Choice>>, Error> {
+    super::json::read_choices(text)
 }
 
 /// A formation as the page reads it.

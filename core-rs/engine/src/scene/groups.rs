@@ -2,6 +2,7 @@
 
 use super::Group;
 use crate::adjacency::GroupTie;
+use crate::order;
 
 /// What the groups tie, outer before inner and in the order of the document; groups without a tie weight tie nothing.
 pub fn group_ties(groups: &[Group]) -> Vec<GroupTie> {
@@ -22,7 +23,7 @@ impl Group {
         for child in &self.children {
             set.extend(child.set());
         }
-        set.sort_unstable();
+        order::sort_by_key(&mut set, |agent| u128::from(*agent));
         set.dedup();
         set
     }

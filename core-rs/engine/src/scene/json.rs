@@ -11,5 +11,5 @@ mod split;
 mod value;
 mod write;
 
-pub use read::read_json;
+pub use read::{read_choices, read_json, read_rest};
 pub use write::write_json;

@@ -36,9 +36,9 @@ use crate::formation::Formation;
 use crate::obstacle::ObstacleShape;
 
 /// One scene, version 1. What version 1 names and this type lacks is refused as unsupported unless it has its default.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Scene {
     /// At most 200 characters.
     pub title: String,
@@ -70,9 +70,9 @@ pub struct Scene {
 }
 
 /// Agents that share a timeline.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Track {
     /// One entry an agent.
     #[cfg_attr(feature = "types", ts(as = "Vec<Agent>"))]
@@ -84,9 +84,9 @@ pub struct Track {
 }
 
 /// The stage, centered on the origin; it frames the view and is no wall.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Stage {
     /// Along x, meters.
     pub width: f64,
@@ -137,9 +137,9 @@ pub enum Units {
 }
 
 /// How seconds read as counts and bars.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Tempo {
     /// Counts a minute.
     pub beats_per_minute: f64,
@@ -150,9 +150,9 @@ pub struct Tempo {
 }
 
 /// One member of the group.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Agent {
     /// At most 64 characters; empty: shown by number.
     pub name: String,
@@ -163,9 +163,9 @@ pub struct Agent {
 }
 
 /// A named subset; its set is its members and its children's sets.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Group {
     /// At most 64 characters.
     pub name: String,
@@ -180,9 +180,9 @@ pub struct Group {
 }
 
 /// A formation that the motion passes, and when.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Keyframe {
     /// At most 64 characters; empty: shown by number.
     pub name: String,
@@ -194,7 +194,7 @@ pub struct Keyframe {
     pub corner: bool,
     /// `positions[i]` is always agent i.
     #[cfg_attr(feature = "types", ts(type = "Formation"))]
-    #[serde(skip_deserializing, serialize_with = "document::flat")]
+    #[serde(serialize_with = "document::flat")]
     pub positions: Arc<Formation>,
     /// Replaces the scene's adjacency here.
     #[cfg_attr(feature = "types", ts(as = "Option<AdjacencySpec>"))]
@@ -202,7 +202,7 @@ pub struct Keyframe {
 }
 
 /// What happens between two keyframes. Transitions are the first kind.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Segment {
@@ -211,7 +211,7 @@ pub enum Segment {
 }
 
 /// How one formation becomes the next.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
 #[serde(rename_all = "camelCase")]
 pub struct TransitionSpec {
@@ -238,9 +238,9 @@ pub struct TransitionSpec {
 }
 
 /// How one group moves within a hierarchy.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct NodeSpec {
     /// The group, as child indices from the root; empty: the root.
     pub group: Vec<u32>,
@@ -251,9 +251,9 @@ pub struct NodeSpec {
 }
 
 /// Something on the stage that agents go around.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 #[cfg_attr(feature = "types", derive(ts_rs::TS))]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
+#[serde(rename_all = "camelCase")]
 pub struct Obstacle {
     /// At most 64 characters.
     pub name: String,

@@ -26,7 +26,10 @@ impl Scene {
     /// What to call the agents in files: their names where all are there and distinct, else their numbers from 0.
     pub fn agent_ids(&self) -> Vec<String> {
         let agents = &self.main_track().agents;
-        let names: BTreeSet<&str> = agents.iter().map(|agent| agent.name.as_str()).filter(|name| !name.is_empty()).collect();
+        let mut names = BTreeSet::new();
+        for name in agents.iter().map(|agent| agent.name.as_str()).filter(|name| !name.is_empty()) {
+            names.insert(name);
+        }
         if names.len() == agents.len() {
             agents.iter().map(|agent| agent.name.clone()).collect()
         } else {

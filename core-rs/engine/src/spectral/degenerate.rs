@@ -10,7 +10,7 @@ use super::eigenbasis::Eigenbasis;
 use super::polar_factor::polar_factor;
 use super::runs::runs;
 use crate::formation::Formation;
-use eigenform_dense::product;
+use eigenform_dense::{norm, product};
 
 /// Neighboring eigenvalues this near, relative to the largest, count as equal.
 ///
@@ -100,7 +100,7 @@ pub(super) fn turned_to(source: &Eigenbasis, target: &Eigenbasis) -> Eigenbasis 
         let mut best: Option<(f64, Mat<f64>)> = None;
         for candidate in source_runs.iter().filter(|candidate| candidate.len() == run.len()) {
             let shared = product(source.modes().subcols(candidate.start, run.len()).transpose(), block);
-            let amount = shared.norm_l2();
+            let amount = norm(shared.as_ref());
             if best.as_ref().is_none_or(|(most, _)| amount > most + 1e-12) {
                 best = Some((amount, shared));
             }

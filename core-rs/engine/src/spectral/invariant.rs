@@ -5,7 +5,7 @@
 use faer::{Mat, MatRef};
 
 use super::runs::runs;
-use eigenform_dense::{product, skew_part, symmetric_eigen};
+use eigenform_dense::{largest, norm, product, skew_part, symmetric_eigen};
 
 /// Sines below this are round-off of the eigensolver, not turns.
 const NO_TURN: f64 = 1e-12;
@@ -45,7 +45,7 @@ pub(super) struct Blocks {
 pub(super) fn split(matrix: MatRef<'_, f64>) -> Blocks {
     let size = matrix.nrows();
     let skew = skew_part(matrix);
-    if size == 1 || skew.norm_max() <= NO_TURN {
+    if size == 1 || largest(skew.as_ref()) <= NO_TURN {
         return Blocks { basis: Mat::identity(size, size), blocks: (0..size).map(|k| line(matrix[(k, k)])).collect() };
     }
     if size == 2 {
@@ -94,16 +94,16 @@ fn deflate(matrix: MatRef<'_, f64>, skew: MatRef<'_, f64>, mut candidates: Mat<f
     let mut blocks = Vec::new();
     let mut taken = 0;
     while taken < size {
-        let left: Vec<f64> = candidates.col_iter().map(|column| column.norm_l2()).collect();
+        let left: Vec<f64> = candidates.col_iter().map(|column| norm(column.as_mat())).collect();
         let most = left.iter().copied().fold(0.0, f64::max);
-        let next = left.iter().position(|norm| *norm >= most * (1.0 - 1e-9)).expect("the most is one of them");
+        let next = left.iter().position(|left| *left >= most * (1.0 - 1e-9)).expect("the most is one of them");
         basis.col_mut(taken).copy_from(candidates.col(next));
         orthonormalize(&mut basis, taken);
         let turned = skew * basis.col(taken);
         let cosine = basis.col(taken).transpose() * (matrix * basis.col(taken));
         let first = taken;
         taken += 1;
-        if turned.norm_l2() <= NO_TURN || taken == size {
+        if norm(turned.as_mat()) <= NO_TURN || taken == size {
             blocks.push(line(cosine));
         } else {
             basis.col_mut(taken).copy_from(&turned);
@@ -131,7 +131,7 @@ fn orthonormalize(basis: &mut Mat<f64>, index: usize) {
             let amount = column.transpose() * own.as_ref();
             own -= faer::Scale(amount) * column;
         }
-        let norm = own.norm_l2();
-        own /= faer::Scale(norm);
+        let length = norm(own.as_ref().as_mat());
+        own /= faer::Scale(length);
     }
 }

@@ -67,16 +67,12 @@ pub(super) fn entry<'a, 'p>(list: &Value<'_, 'p>, text: &'a str) -> Value<'a, 'p
 
 fn spot(value: Value) -> Result<Spot, Error> {
     const SHAPE: &str = "[x, y] or [x, y, z], numbers in meters";
-    // The short way for what is right; the long way says what is wrong.
-    if let Ok(position) = serde_json::from_str(value.text) {
-        return Ok(Spot { position: DVec2::from_array(position), height: None });
-    }
     let number = |text| entry(&value, text).number();
-    if let Ok([x, y, z]) = value.exactly(SHAPE) {
-        return Ok(Spot { position: DVec2::new(number(x)?, number(y)?), height: Some(number(z)?) });
+    if let Some([x, y]) = value.parts() {
+        return Ok(Spot { position: DVec2::new(number(x)?, number(y)?), height: None });
     }
-    let [x, y] = value.exactly(SHAPE)?;
-    Ok(Spot { position: DVec2::new(number(x)?, number(y)?), height: None })
+    let [x, y, z] = value.exactly(SHAPE)?;
+    Ok(Spot { position: DVec2::new(number(x)?, number(y)?), height: Some(number(z)?) })
 }
 
 fn point(value: Value) -> Result<DVec2, Error> {

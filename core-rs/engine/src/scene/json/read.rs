@@ -8,8 +8,10 @@ use super::value::Value;
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Blend, Choice, DEFAULT_SHARING};
 use crate::error::{Counted, Error};
+use crate::formation::Formation;
 use crate::scene::normalize::{normalize_adjacency, normalize_groups};
 use crate::scene::place::Place;
+use crate::scene::validate::exactly;
 use crate::scene::{Agent, DEFAULT_FRAME_RATE, DEFAULT_TENSION, Group, Keyframe, NodeSpec, Scene, Segment, Stage, Tempo, Track};
 use crate::scene::{TransitionSpec, limits, shown, validate};
 
@@ -38,6 +40,7 @@ const AGENT: &[&str] = &["name", "color", "radius", "maxSpeed"];
 const GROUP: &[&str] = &["name", "color", "members", "tieWeight", "children"];
 const ADJACENCY: &[&str] = &["base", "weights", "ties", "cuts", "obstacleTies"];
 const KEYFRAME: &[&str] = &["name", "time", "hold", "corner", "positions", "absent", "adjacency"];
+const STANDING_KEYFRAME: &[&str] = &["name", "time", "hold", "corner", "absent", "adjacency"];
 const SEGMENT: &[&str] = &[
     "kind",
     "method",
@@ -63,9 +66,7 @@ const LATER_METHODS: &[&str] = &["crowd"];
 
 /// The scene of a scene file.
 pub fn read_json(text: &str) -> Result<Scene, Error> {
-    if text.len() > limits::FILE_BYTES {
-        return Err(Error::FileTooLarge { bytes: text.len(), limit: limits::FILE_BYTES });
-    }
+    fits(text)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     if text.trim_ascii().is_empty() {
         return Err(Error::Empty);
@@ -74,9 +75,32 @@ pub fn read_json(text: &str) -> Result<Scene, Error> {
     let fields = document.fields(SCENE)?;
     head(&fields)?;
     fields.refuse_strangers()?;
-    let scene = scene(&fields)?;
+    let scene = scene(&fields, &mut Standing::default())?;
     validate(&scene)?;
     Ok(scene)
+}
+
+/// The scene of a scene file without a head whose keyframes have these formations and no positions.
+pub fn read_rest(text: &str, formations: Vec<Arc<Formation>>) -> Result<Scene, Error> {
+    fits(text)?;
+    let fields = Value::document(text)?.object(SCENE)?;
+    let found = formations.len();
+    let mut standing = Standing { given: Some(formations.into_iter()), ..Standing::default() };
+    let scene = scene(&fields, &mut standing)?;
+    exactly(found, scene.main_track().keyframes.len(), "formations", "keyframes")?;
+    validate(&scene)?;
+    Ok(scene)
+}
+
+/// A list of methods with their options, or null.
+pub fn read_choices(text: &str) -> Result<Vec<Option<Choice>>, Error> {
+    let list = Value::document(text)?;
+    let entries = list.items(limits::KEYFRAMES, Counted::Segments)?.into_iter().map(|text| Value { text, place: list.place });
+    entries.map(|entry| if entry.is_null() { Ok(None) } else { choice(entry).map(Some) }).collect()
+}
+
+fn fits(text: &str) -> Result<(), Error> {
+    if text.len() <= limits::FILE_BYTES { Ok(()) } else { Err(Error::FileTooLarge { bytes: text.len(), limit: limits::FILE_BYTES }) }
 }
 
 /// Says what this is before any field of it is judged.
@@ -93,7 +117,7 @@ fn head(fields: &Fields) -> Result<(), Error> {
     }
 }
 
-fn scene(fields: &Fields) -> Result<Scene, Error> {
+fn scene(fields: &Fields, standing: &mut Standing) -> Result<Scene, Error> {
     fields.only("recordings", &Only::NoEntries)?;
     Ok(Scene {
         title: fields.string("title")?,
@@ -106,7 +130,7 @@ fn scene(fields: &Fields) -> Result<Scene, Error> {
         tension: fields.number("tension", DEFAULT_TENSION)?,
         groups: Arc::new(groups(fields)?),
         adjacency: fields.get("adjacency").map_or(Ok(Arc::default()), |value| adjacency(value).map(Arc::new))?,
-        tracks: vec![track(fields)?],
+        tracks: vec![track(fields, standing)?],
         obstacles: Arc::new(fields.list("obstacles", limits::OBSTACLES, Counted::Obstacles, obstacle)?),
     })
 }
@@ -170,10 +194,6 @@ fn adjacency(value: Value) -> Result<AdjacencySpec, Error> {
 }
 
 fn tie(value: Value) -> Result<(u32, u32, f64), Error> {
-    // The short way for what is right; the long way says what is wrong.
-    if let Ok(tie) = serde_json::from_str(value.text) {
-        return Ok(tie);
-    }
     let [a, b, factor] = value.exactly("[a, b, factor], two agents and a number")?;
     Ok((entry(&value, a).whole()?, entry(&value, b).whole()?, entry(&value, factor).number()?))
 }
@@ -184,17 +204,13 @@ fn obstacle_tie(value: Value) -> Result<(u32, u32, f64), Error> {
 }
 
 fn cut(value: Value) -> Result<(u32, u32), Error> {
-    if let Ok(cut) = serde_json::from_str(value.text) {
-        return Ok(cut);
-    }
     let [a, b] = value.exactly("[a, b], two agents")?;
     Ok((entry(&value, a).whole()?, entry(&value, b).whole()?))
 }
 
-fn track(fields: &Fields) -> Result<Track, Error> {
+fn track(fields: &Fields, standing: &mut Standing) -> Result<Track, Error> {
     fields.required("keyframes")?;
-    let mut budget = Budget::default();
-    let keyframes = fields.list("keyframes", limits::KEYFRAMES, Counted::Keyframes, |value| keyframe(value, &mut budget))?;
+    let keyframes = fields.list("keyframes", limits::KEYFRAMES, Counted::Keyframes, |value| keyframe(value, standing))?;
     let agents = fields.list("agents", limits::AGENTS, Counted::Agents, agent)?;
     let segments = fields.list("segments", limits::KEYFRAMES, Counted::Segments, segment)?;
     let agent_count = keyframes.first().map_or(0, |first| first.positions.agent_count());
@@ -205,15 +221,26 @@ fn track(fields: &Fields) -> Result<Track, Error> {
     })
 }
 
-/// What the keyframes read so far have used of the limits over all of them, and in how many dimensions their agents stand.
+/// Where the agents of the next keyframe stand, and what those read so far have used of the limits over all of them.
 #[derive(Default)]
-struct Budget {
+struct Standing {
+    /// Formations of the keyframes to come; none: each has its positions in the text.
+    given: Option<std::vec::IntoIter<Arc<Formation>>>,
     positions: usize,
     ties: usize,
     dimensions: Option<usize>,
 }
 
-impl Budget {
+impl Standing {
+    fn formation(&mut self, keyframe: &Fields) -> Result<Arc<Formation>, Error> {
+        if let Some(given) = &mut self.given {
+            // Too few are told from the counts of both.
+            return Ok(given.next().unwrap_or_default());
+        }
+        keyframe.required("positions")?;
+        formation(keyframe, &mut self.dimensions).map(Arc::new)
+    }
+
     fn spend(&mut self, keyframe: &Keyframe, place: Place) -> Result<(), Error> {
         self.positions += keyframe.positions.agent_count();
         self.ties += keyframe.adjacency.as_ref().map_or(0, |own| own.ties.len() + own.obstacle_ties.len());
@@ -225,19 +252,18 @@ impl Budget {
     }
 }
 
-fn keyframe(value: Value, budget: &mut Budget) -> Result<Keyframe, Error> {
-    let fields = value.object(KEYFRAME)?;
+fn keyframe(value: Value, standing: &mut Standing) -> Result<Keyframe, Error> {
+    let fields = value.object(if standing.given.is_some() { STANDING_KEYFRAME } else { KEYFRAME })?;
     fields.only("absent", &Only::NoEntries)?;
-    fields.required("positions")?;
     let keyframe = Keyframe {
         name: fields.string("name")?,
         time: fields.number("time", 0.0)?,
         hold: fields.number("hold", 0.0)?,
         corner: fields.flag("corner")?,
-        positions: Arc::new(formation(&fields, &mut budget.dimensions)?),
+        positions: standing.formation(&fields)?,
         adjacency: fields.optional("adjacency", adjacency)?.map(Arc::new),
     };
-    budget.spend(&keyframe, value.place)?;
+    standing.spend(&keyframe, value.place)?;
     Ok(keyframe)
 }
 

@@ -33,7 +33,11 @@ impl<'a> Value<'a, '_> {
     /// Finite; the nearest double.
     pub(super) fn number(&self) -> Result<f64, Error> {
         self.must_start(b"-0123456789", "a number")?;
-        serde_json::from_str(self.text).map_err(|_| Error::NotFinite { place: self.place.to_string() })
+        // Well-formed JSON writes numbers as Rust does.
+        match self.text.parse::<f64>() {
+            Ok(number) if number.is_finite() => Ok(number),
+            _ => Err(Error::NotFinite { place: self.place.to_string() }),
+        }
     }
 
     /// A whole number from 0; `3.0` and `3e0` are 3.
@@ -85,8 +89,17 @@ impl<'a> Value<'a, '_> {
     /// Exactly `N` slices of a list, as `shape` says.
     pub(super) fn exactly<const N: usize>(&self, shape: &'static str) -> Result<[&'a str; N], Error> {
         self.must_start(b"[", shape)?;
-        let items: Vec<&str> = entries(self.text).take(N + 1).collect();
-        items.try_into().map_err(|_| Error::WrongType { found: shown(self.text), expected: shape, place: self.place.to_string() })
+        self.parts().ok_or_else(|| Error::WrongType { found: shown(self.text), expected: shape, place: self.place.to_string() })
+    }
+
+    /// The slices of a list if there are exactly `N`.
+    pub(super) fn parts<const N: usize>(&self) -> Option<[&'a str; N]> {
+        let mut entries = entries(self.text);
+        let mut parts = [""; N];
+        for part in &mut parts {
+            *part = entries.next()?;
+        }
+        entries.next().is_none().then_some(parts)
     }
 
     pub(super) fn is_empty_list(&self) -> Result<bool, Error> {

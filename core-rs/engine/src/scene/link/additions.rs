@@ -8,7 +8,7 @@ use super::document::{Document, Fields, METHODS, newer};
 use super::graph::{Pairs, code_count};
 use super::models::{Integer, Number};
 use super::positions::Formations;
-use super::range::{Bit, Coder};
+use super::range::Bit;
 use super::route::Cell;
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Blend, Join, MethodName};
@@ -44,7 +44,7 @@ pub fn basics_of_adjacency(spec: &AdjacencySpec) -> AdjacencySpec {
     AdjacencySpec { obstacle_ties: Vec::new(), ..spec.clone() }
 }
 
-impl<C: Coder> Fields<'_, C> {
+impl Fields<'_> {
     pub(super) fn code_additions(&mut self, document: &mut Document) -> Result<(), Error> {
         let Document { scene, cells, heights, .. } = document;
         self.code_word(&JOINS, &mut scene.join)?;

@@ -42,7 +42,7 @@ pub struct Document {
 }
 
 /// Codes a whole scene; a reader starts from the default one.
-pub fn code_document(coder: &mut impl Coder, document: &mut Document) -> Result<(), Error> {
+pub fn code_document(coder: &mut dyn Coder, document: &mut Document) -> Result<(), Error> {
     let mut fields = Fields { coder, texts: Texts::default(), pairs: Pairs::default() };
     let Document { scene, step, cells, .. } = document;
     fields.code_surroundings(scene)?;
@@ -73,8 +73,8 @@ pub(super) fn newer() -> Error {
     Error::NewerVersion { version: "1 with additions".to_owned() }
 }
 
-pub(super) struct Fields<'c, C> {
-    pub(super) coder: &'c mut C,
+pub(super) struct Fields<'c> {
+    pub(super) coder: &'c mut dyn Coder,
     pub(super) texts: Texts,
     pairs: Pairs,
 }
@@ -85,7 +85,7 @@ struct Tree {
     depth: usize,
 }
 
-impl<C: Coder> Fields<'_, C> {
+impl Fields<'_> {
     fn code_surroundings(&mut self, scene: &mut Scene) -> Result<(), Error> {
         self.texts.code_name(self.coder, &mut scene.title)?;
         let mut seed = f64::from(scene.seed);

@@ -16,7 +16,7 @@ impl Members {
     }
 
     /// Codes one group's members: rising ones as a yes or no for every agent still in no group, others one by one.
-    pub fn code(&mut self, coder: &mut impl Coder, members: &mut Vec<u32>) -> Result<(), Error> {
+    pub fn code(&mut self, coder: &mut dyn Coder, members: &mut Vec<u32>) -> Result<(), Error> {
         let agent_count = self.is_grouped.len();
         let mut is_empty = members.is_empty();
         coder.bit(&mut Bit::default(), &mut is_empty);
@@ -40,7 +40,7 @@ impl Members {
         Ok(())
     }
 
-    fn code_rising(&self, coder: &mut impl Coder, members: &mut Vec<u32>) {
+    fn code_rising(&self, coder: &mut dyn Coder, members: &mut Vec<u32>) {
         let mut left = members.iter().copied().peekable();
         let mut read = Vec::new();
         // Neighbors by index are often in one group.
@@ -70,12 +70,12 @@ pub struct Pairs {
 
 impl Pairs {
     /// Codes how long a list is.
-    pub fn code_count(&mut self, coder: &mut impl Coder, count: usize, limit: usize) -> Result<usize, Error> {
+    pub fn code_count(&mut self, coder: &mut dyn Coder, count: usize, limit: usize) -> Result<usize, Error> {
         code_count(&mut self.count, coder, count, limit)
     }
 
     /// Codes a pair by the pair before it.
-    pub fn code_pair(&mut self, coder: &mut impl Coder, last: (u32, u32), pair: (&mut u32, &mut u32)) -> Result<(), Error> {
+    pub fn code_pair(&mut self, coder: &mut dyn Coder, last: (u32, u32), pair: (&mut u32, &mut u32)) -> Result<(), Error> {
         let (a, b) = pair;
         let mut step = i64::from(*a) - i64::from(last.0);
         self.first.code(coder, &mut step);
@@ -89,7 +89,7 @@ impl Pairs {
     }
 
     /// Codes a factor by the factor before it.
-    pub fn code_factor(&mut self, coder: &mut impl Coder, last: f64, factor: &mut f64) {
+    pub fn code_factor(&mut self, coder: &mut dyn Coder, last: f64, factor: &mut f64) {
         let mut repeats = factor.to_bits() == last.to_bits();
         coder.bit(&mut self.repeats, &mut repeats);
         if repeats {
@@ -101,7 +101,7 @@ impl Pairs {
 }
 
 /// Codes how long a list is.
-pub fn code_count(model: &mut Integer, coder: &mut impl Coder, count: usize, limit: usize) -> Result<usize, Error> {
+pub fn code_count(model: &mut Integer, coder: &mut dyn Coder, count: usize, limit: usize) -> Result<usize, Error> {
     let mut count = i64::try_from(count).expect("a count within the limits");
     model.code(coder, &mut count);
     usize::try_from(count).ok().filter(|count| *count <= limit).ok_or(Error::LinkTooLarge)

@@ -51,7 +51,8 @@ pub fn encode(scene: &Scene, precision: Precision) -> Link {
         keyframe.positions = Arc::default();
     }
     let mut writer = Writer::default();
-    code_document(&mut writer, &mut document).expect("a valid scene can be written");
+    let written = code_document(&mut writer, &mut document);
+    assert!(written.is_ok(), "a valid scene can be written");
     Link {
         fragment: text::wrap(&writer.finish()),
         step: rounded.step.meters(),

@@ -16,7 +16,7 @@ impl Symbol {
     }
 
     /// Codes the value, below 2^`bits`.
-    pub fn code(&mut self, coder: &mut impl Coder, value: &mut u32) {
+    pub fn code(&mut self, coder: &mut dyn Coder, value: &mut u32) {
         let mut node = 1;
         for place in (0..self.bits).rev() {
             let mut bit = *value >> place & 1 == 1;
@@ -43,7 +43,7 @@ impl Default for Integer {
 
 impl Integer {
     /// Codes the value, |value| < 2^62.
-    pub fn code(&mut self, coder: &mut impl Coder, value: &mut i64) {
+    pub fn code(&mut self, coder: &mut dyn Coder, value: &mut i64) {
         let mut magnitude = value.unsigned_abs();
         let mut length = u64::BITS - magnitude.leading_zeros();
         self.length.code(coder, &mut length);
@@ -59,7 +59,7 @@ impl Integer {
         *value = if is_negative { -magnitude.cast_signed() } else { magnitude.cast_signed() };
     }
 
-    fn code_below(&mut self, coder: &mut impl Coder, length: u32, magnitude: &mut u64) {
+    fn code_below(&mut self, coder: &mut dyn Coder, length: u32, magnitude: &mut u64) {
         let models = &mut self.below[length as usize];
         let mut node = 1;
         let mut read = 1;
@@ -78,7 +78,7 @@ impl Integer {
 }
 
 /// Codes one of `count` equally likely values; 1 ≤ `count` ≤ 2^62.
-pub fn code_even(coder: &mut impl Coder, count: u64, value: &mut u64) {
+pub fn code_even(coder: &mut dyn Coder, count: u64, value: &mut u64) {
     const PART: u64 = 1 << 16;
     if count <= PART {
         let mut part = *value as u32;
@@ -114,7 +114,7 @@ impl Default for Number {
 
 impl Number {
     /// Codes the value.
-    pub fn code(&mut self, coder: &mut impl Coder, value: &mut f64) {
+    pub fn code(&mut self, coder: &mut dyn Coder, value: &mut f64) {
         let (mut places, mut digits) = as_decimal(*value).unwrap_or((RAW, 0));
         self.places.code(coder, &mut places);
         if places == RAW {
@@ -154,30 +154,29 @@ mod tests {
     use super::super::range::{Reader, Writer};
     use super::*;
 
-    /// Writes the values with `write` and reads them back with `read`, which does the same.
+    /// Writes the values and reads them back.
     fn check<T: Clone + Debug + PartialEq>(
         values: &[T],
         blank: &T,
-        write: impl FnOnce(&mut Writer, &mut [T]),
-        read: impl FnOnce(&mut Reader<'_>, &mut [T]),
+        code: impl Fn(&mut dyn Coder, &mut [T]),
     ) -> Result<usize, TestCaseError> {
         let mut writer = Writer::default();
-        write(&mut writer, &mut values.to_vec());
+        code(&mut writer, &mut values.to_vec());
         let bytes = writer.finish();
         let mut found = vec![blank.clone(); values.len()];
-        read(&mut Reader::new(&bytes), &mut found);
+        code(&mut Reader::new(&bytes), &mut found);
         prop_assert_eq!(&found, values);
         Ok(bytes.len())
     }
 
-    fn code_integers(coder: &mut impl Coder, values: &mut [i64]) {
+    fn code_integers(coder: &mut dyn Coder, values: &mut [i64]) {
         let mut model = Integer::default();
         for value in values {
             model.code(coder, value);
         }
     }
 
-    fn code_bits_of_numbers(coder: &mut impl Coder, values: &mut [u64]) {
+    fn code_bits_of_numbers(coder: &mut dyn Coder, values: &mut [u64]) {
         let mut model = Number::default();
         for bits in values {
             let mut value = f64::from_bits(*bits);
@@ -189,13 +188,13 @@ mod tests {
     proptest! {
         #[test]
         fn integers_come_back(values in vec(prop_oneof![-5_i64..5, -(1_i64 << 62) + 1..1 << 62], 0..100)) {
-            check(&values, &0, code_integers, |c, v| code_integers(c, v))?;
+            check(&values, &0, code_integers)?;
         }
 
         #[test]
         fn numbers_come_back_to_the_last_bit(values in vec(prop_oneof![any::<f64>(), (-99_999..99_999).prop_map(|cents| f64::from(cents) / 100.0)], 0..100)) {
             let bits: Vec<u64> = values.into_iter().map(f64::to_bits).collect();
-            check(&bits, &0, code_bits_of_numbers, |c, v| code_bits_of_numbers(c, v))?;
+            check(&bits, &0, code_bits_of_numbers)?;
         }
     }
 }

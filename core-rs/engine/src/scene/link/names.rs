@@ -21,7 +21,7 @@ pub struct Texts {
 
 impl Texts {
     /// Codes a name: a stem and a number, which mostly follows the stem's last one, so "T1", "T2", … cost nothing.
-    pub fn code_name(&mut self, coder: &mut impl Coder, name: &mut String) -> Result<(), Error> {
+    pub fn code_name(&mut self, coder: &mut dyn Coder, name: &mut String) -> Result<(), Error> {
         let (mut stem, number) = split_number(name);
         let at = self.stems.code(coder, &mut self.text, &mut stem)?;
         self.last_numbers.resize(self.stems.list.len(), 0);
@@ -45,7 +45,7 @@ impl Texts {
     }
 
     /// Codes a color.
-    pub fn code_color(&mut self, coder: &mut impl Coder, color: &mut String) -> Result<(), Error> {
+    pub fn code_color(&mut self, coder: &mut dyn Coder, color: &mut String) -> Result<(), Error> {
         self.colors.code(coder, &mut self.text, color).map(|_| ())
     }
 }
@@ -83,7 +83,7 @@ impl Default for Text {
 }
 
 impl Text {
-    fn code(&mut self, coder: &mut impl Coder, text: &mut String) -> Result<(), Error> {
+    fn code(&mut self, coder: &mut dyn Coder, text: &mut String) -> Result<(), Error> {
         let mut bytes = std::mem::take(text).into_bytes();
         bytes.push(END);
         let mut before = (0, 0);
@@ -107,7 +107,7 @@ impl Text {
         Ok(())
     }
 
-    fn code_byte(&mut self, coder: &mut impl Coder, before: (u8, u8), byte: &mut u8) {
+    fn code_byte(&mut self, coder: &mut dyn Coder, before: (u8, u8), byte: &mut u8) {
         let pair = (usize::from(before.0) * 33 + usize::from(before.1) * 289) % PAIR_CONTEXTS;
         let contexts = [0, usize::from(before.1), pair];
         let mut node = 1;
@@ -148,13 +148,15 @@ struct Words {
 impl Default for Words {
     fn default() -> Self {
         let list = vec![String::new()];
-        Self { index: BTreeMap::from([(String::new(), 0)]), list, last: 0, is_last: Bit::likely(true), is_known: Bit::default() }
+        let mut index = BTreeMap::new();
+        index.insert(String::new(), 0);
+        Self { list, index, last: 0, is_last: Bit::likely(true), is_known: Bit::default() }
     }
 }
 
 impl Words {
     /// Codes the word and says which of the list it is.
-    fn code(&mut self, coder: &mut impl Coder, text: &mut Text, word: &mut String) -> Result<usize, Error> {
+    fn code(&mut self, coder: &mut dyn Coder, text: &mut Text, word: &mut String) -> Result<usize, Error> {
         let known = self.index.get(word).copied();
         let mut is_last = known == Some(self.last);
         coder.bit(&mut self.is_last, &mut is_last);
@@ -187,7 +189,7 @@ mod tests {
     use super::super::range::{Reader, Writer};
     use super::*;
 
-    fn code_names(coder: &mut impl Coder, names: &mut [String]) {
+    fn code_names(coder: &mut dyn Coder, names: &mut [String]) {
         let mut texts = Texts::default();
         for name in names {
             texts.code_name(coder, name).expect("a short name");

@@ -56,7 +56,7 @@ struct Models {
 
 impl Formations {
     /// Codes one formation; a reader's `cells` has the right length.
-    pub fn code(&mut self, coder: &mut impl Coder, cells: &mut Vec<Cell>) -> Result<(), Error> {
+    pub fn code(&mut self, coder: &mut dyn Coder, cells: &mut Vec<Cell>) -> Result<(), Error> {
         let (mut telling, mut order) = if coder.is_reading() { <_>::default() } else { self.cheapest(cells) };
         self.code_telling(coder, &mut telling)?;
         self.models.code(coder, telling, &self.past, &mut order, cells)?;
@@ -100,11 +100,12 @@ impl Formations {
     /// In bytes.
     fn cost(&self, telling: Telling, order: &mut Vec<u32>, cells: &[Cell]) -> usize {
         let mut writer = Writer::default();
-        self.models.clone().code(&mut writer, telling, &self.past, order, &mut cells.to_vec()).expect("what is written is sound");
+        let written = self.models.clone().code(&mut writer, telling, &self.past, order, &mut cells.to_vec());
+        assert!(written.is_ok(), "what is written is sound");
         writer.len()
     }
 
-    fn code_telling(&self, coder: &mut impl Coder, telling: &mut Telling) -> Result<(), Error> {
+    fn code_telling(&self, coder: &mut dyn Coder, telling: &mut Telling) -> Result<(), Error> {
         let (mut kind, mut formation, mut route, mut is_displacement, mut is_curved) = match *telling {
             Telling::Scattered => (0, 0, 0, false, false),
             Telling::Again { formation } => (1, formation, 0, false, false),
@@ -138,7 +139,7 @@ impl Formations {
 impl Models {
     fn code(
         &mut self,
-        coder: &mut impl Coder,
+        coder: &mut dyn Coder,
         telling: Telling,
         past: &[Vec<Cell>],
         order: &mut Vec<u32>,
@@ -166,7 +167,7 @@ impl Models {
     }
 
     /// A permutation: each agent is the next by index or one of those left, all equally likely.
-    fn code_order(&mut self, coder: &mut impl Coder, order: &mut Vec<u32>, agent_count: usize) {
+    fn code_order(&mut self, coder: &mut dyn Coder, order: &mut Vec<u32>, agent_count: usize) {
         order.resize(agent_count, 0);
         let mut left: Vec<u32> = (0..agent_count as u32).collect();
         let mut place = left.clone();
@@ -191,7 +192,7 @@ impl Models {
 }
 
 /// Each coordinate one of those within the box.
-fn code_scattered(coder: &mut impl Coder, cells: &mut [Cell]) -> Result<(), Error> {
+fn code_scattered(coder: &mut dyn Coder, cells: &mut [Cell]) -> Result<(), Error> {
     for axis in 0..2 {
         let mut low = cells.iter().map(|cell| cell[axis]).min().unwrap_or(0);
         let mut span = cells.iter().map(|cell| cell[axis] - low).max().unwrap_or(0);
@@ -219,7 +220,7 @@ struct Deltas {
 
 impl Deltas {
     /// Codes cells, or displacements `from` the cells of the formation before, in the order of the route.
-    fn code_route(&mut self, coder: &mut impl Coder, order: &[u32], from: Option<&[Cell]>, is_curved: bool, cells: &mut [Cell]) {
+    fn code_route(&mut self, coder: &mut dyn Coder, order: &[u32], from: Option<&[Cell]>, is_curved: bool, cells: &mut [Cell]) {
         let (mut last, mut last_delta, mut last_residual) = ([0; 2], [0; 2], [0; 2]);
         let mut repeated = false;
         for agent in order {

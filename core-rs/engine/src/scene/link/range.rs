@@ -213,7 +213,7 @@ mod tests {
 
     use super::*;
 
-    fn code_all(coder: &mut impl Coder, flags: &mut [bool], numbers: &mut [(u32, u32)]) {
+    fn code_all(coder: &mut dyn Coder, flags: &mut [bool], numbers: &mut [(u32, u32)]) {
         let mut model = Bit::likely(false);
         for flag in flags {
             coder.bit(&mut model, flag);

@@ -5,8 +5,9 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 
 use super::route::Cell;
-use super::step::{ROUNDED_SPAN, Step};
+use super::step::{ROUNDED_SPAN, Step, coarsest_first};
 use crate::formation::Formation;
+use crate::order;
 use crate::scene::Scene;
 
 /// How a link keeps coordinates.
@@ -101,7 +102,7 @@ fn coarsest(points: &[DVec3]) -> Step {
     if let Some(rounded) = Step::rounded(low, high) {
         steps.extend([rounded, rounded.coarser(), rounded.coarser().coarser()]);
     }
-    steps.sort_by(|a, b| b.meters().total_cmp(&a.meters()));
+    coarsest_first(&mut steps);
     let represents = |step: &Step| points.iter().flat_map(DVec3::to_array).all(|coordinate| step.represents(coordinate));
     steps.into_iter().find(represents).expect("the finest step represents every coordinate")
 }
@@ -128,7 +129,7 @@ fn broken(before: &[Vec<DVec3>], after: &[DVec3], distance: f64) -> Vec<usize> {
 fn has_nearer(points: &[DVec3], distance: f64) -> bool {
     let limit = distance - 1e-6;
     let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| a.x.total_cmp(&b.x));
+    order::sort_by_key(&mut sorted, |point| u128::from(order::of_real(point.x)));
     sorted.iter().enumerate().any(|(index, point)| {
         sorted[index + 1..].iter().take_while(|other| other.x - point.x < limit).any(|other| other.distance(*point) < limit)
     })

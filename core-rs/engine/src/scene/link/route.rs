@@ -1,5 +1,7 @@
 //! In which order the agents of a formation are told, so that each stands near the one before.
 
+use crate::order;
+
 /// A place on the link's grid.
 pub type Cell = [i64; 2];
 
@@ -10,12 +12,13 @@ pub fn along_curve(cells: &[Cell]) -> Vec<u32> {
     let side = [0, 1].map(|axis| cells.iter().map(|cell| cell[axis] - low[axis]).max().unwrap_or(0));
     let bits = i64::BITS - side[0].max(side[1]).leading_zeros();
     let coarse = bits.saturating_sub(ORDER);
-    by_key(cells, |cell| curve_index([0, 1].map(|axis| ((cell[axis] - low[axis]) >> coarse) as u64), ORDER))
+    let along = |cell: &Cell| curve_index([0, 1].map(|axis| ((cell[axis] - low[axis]) >> coarse) as u64), ORDER);
+    order::by_key(cells.iter().map(|cell| u128::from(along(cell))))
 }
 
 /// Agents row by row; `axis` 0: columns, 1: rows.
 pub fn by_rows(cells: &[Cell], axis: usize) -> Vec<u32> {
-    by_key(cells, |cell| (cell[axis], cell[1 - axis]))
+    order::by_key(cells.iter().map(|cell| order::key_of_two(order::of_integer(cell[axis]), order::of_integer(cell[1 - axis]))))
 }
 
 /// How far along the Hilbert curve over 2^`order` × 2^`order` cells this one lies.
@@ -33,12 +36,6 @@ fn curve_index([mut x, mut y]: [u64; 2], order: u32) -> u64 {
         }
     }
     index
-}
-
-fn by_key<K: Ord>(cells: &[Cell], key: impl Fn(&Cell) -> K) -> Vec<u32> {
-    let mut agents: Vec<u32> = (0..cells.len() as u32).collect();
-    agents.sort_by_cached_key(|agent| (key(&cells[*agent as usize]), *agent));
-    agents
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::models::{Integer, Symbol};
 use super::range::Coder;
 use crate::error::Error;
+use crate::order;
 use crate::scene::limits::COORDINATE;
 
 /// A coordinate is an integer times this length.
@@ -41,7 +42,7 @@ impl Step {
         let parts = [10, 20, 50, 100].map(|parts| Self::Part { parts });
         let binary = (FINEST_EXPONENT..=16).map(|exponent| Self::Binary { exponent });
         let mut all: Vec<Self> = field.chain(parts).chain(binary).collect();
-        all.sort_by(|a, b| b.meters().total_cmp(&a.meters()));
+        coarsest_first(&mut all);
         all
     }
 
@@ -116,7 +117,7 @@ impl Step {
     }
 
     /// Codes the step.
-    pub fn code(&mut self, coder: &mut impl Coder) -> Result<(), Error> {
+    pub fn code(&mut self, coder: &mut dyn Coder) -> Result<(), Error> {
         let catalog = Self::catalog();
         let mut at = catalog.iter().position(|step| step == self).unwrap_or(catalog.len()) as u32;
         Symbol::new(6).code(coder, &mut at);
@@ -136,6 +137,11 @@ impl Step {
         *self = Self::Rounded { mantissa: mantissa.cast_signed() + 64, exponent: exponent as i32 };
         Ok(())
     }
+}
+
+/// Puts steps in order, those of equal length in theirs.
+pub fn coarsest_first(steps: &mut [Step]) {
+    order::sort_by_key(steps, |step| u128::from(order::of_real(-step.meters())));
 }
 
 /// Whether a reader may take the index for a coordinate.

@@ -6,6 +6,7 @@ use super::{at_most, within};
 use crate::adjacency::{AdjacencySpec, COMPLETE_GROUP_LIMIT, GroupTie, TooManyTies, expanded_tie_count};
 use crate::error::{Counted, Error};
 use crate::formation::Formation;
+use crate::order;
 use crate::scene::place::Place;
 use crate::scene::{Group, Scene, group_ties, limits};
 
@@ -85,10 +86,13 @@ fn pair(a: u32, b: u32, agent_count: usize, place: &Place) -> Result<(), Error> 
 }
 
 fn once(pairs: impl Iterator<Item = (u32, u32)>, place: &Place) -> Result<(), Error> {
-    let mut sorted: Vec<(u32, u32, usize)> = pairs.enumerate().map(|(index, (a, b))| (a.min(b), a.max(b), index)).collect();
-    sorted.sort_unstable();
-    match sorted.windows(2).find(|two| (two[0].0, two[0].1) == (two[1].0, two[1].1)) {
-        Some(two) => Err(Error::RepeatedPair { a: two[1].0, b: two[1].1, place: place.item(two[1].2).to_string() }),
+    let pairs: Vec<(u32, u32)> = pairs.map(|(a, b)| (a.min(b), a.max(b))).collect();
+    let order = order::by_key(pairs.iter().map(|pair| order::key_of_pair(*pair)));
+    match order.windows(2).find(|two| pairs[two[0] as usize] == pairs[two[1] as usize]) {
+        Some(two) => {
+            let (a, b) = pairs[two[1] as usize];
+            Err(Error::RepeatedPair { a, b, place: place.item(two[1] as usize).to_string() })
+        }
         None => Ok(()),
     }
 }
