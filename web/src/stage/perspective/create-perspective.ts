@@ -58,6 +58,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
   const picture: WorldPicture = {
     show: show.peek(),
     time: 0,
+    isPlaying: false,
     stage: scene.peek().stage,
     obstacles: [],
     kind: inputs.bodies.peek(),
@@ -101,6 +102,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     if (!palette || !who || view.size.peek().width === 0) return;
     picture.show = show.peek();
     picture.time = playback.time.peek();
+    picture.isPlaying = playback.isPlaying.peek();
     picture.kind = inputs.bodies.peek();
     picture.sizes = sizes.peek();
     picture.hasTrails = view.layers.peek().trails;

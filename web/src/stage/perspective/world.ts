@@ -24,6 +24,7 @@ import type { BodySizes } from "./sizes";
 export interface WorldPicture {
   show: Show;
   time: number;
+  isPlaying: boolean;
   stage: Stage;
   obstacles: readonly Obstacle[];
   kind: BodyKind;
@@ -136,7 +137,7 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
         crowd.choose(picture.selected);
       }
       if (needs.poses || isNew) pose();
-      device.draw(space, sight, picture.orbit);
+      device.draw(space, sight, picture.orbit, picture.isPlaying);
       const { hovered, selected } = picture;
       const areNamed = hasNames(hovered, selected);
       // An empty sheet laid over the other would cost every frame.
