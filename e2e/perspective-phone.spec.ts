@@ -1,17 +1,9 @@
 import { expectOpenToAll } from "./fixtures/axe";
-import { expect, type Studio, test } from "./fixtures/studio";
+import { picture } from "./fixtures/picture";
+import { expect, test } from "./fixtures/studio";
 import { touch } from "./fixtures/touch";
 
 test.use({ contextOptions: { reducedMotion: "reduce" } });
-
-/** What is seen in the middle, where nothing floats over it. */
-async function picture({ page, stage }: Studio): Promise<string> {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  const box = await stage.boundingBox();
-  if (!box) throw new Error("the stage is not shown");
-  const clip = { x: box.x, y: box.y + box.height / 4, width: box.width, height: box.height / 2 };
-  return (await page.screenshot({ clip })).toString("base64");
-}
 
 test("a phone goes around a show with one finger and nearer with two", async ({ studio, page }) => {
   await studio.openFirst();

@@ -1,4 +1,5 @@
 import { expectOpenToAll } from "./fixtures/axe";
+import { picture } from "./fixtures/picture";
 import { expect, type Studio, test } from "./fixtures/studio";
 
 const view = (studio: Studio) => studio.page.getByRole("application", { name: "The show in perspective" });
@@ -10,16 +11,6 @@ async function openInPerspective(studio: Studio): Promise<void> {
   await studio.planned();
   await studio.button("Perspective").click();
   await expect(view(studio)).toBeFocused();
-}
-
-/** What is seen in the middle, where nothing floats over it. */
-async function picture({ page, stage }: Studio): Promise<string> {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  const box = await stage.boundingBox();
-  if (!box) throw new Error("the stage is not shown");
-  const { x, y, width, height } = box;
-  const clip = { x: x + width / 8, y: y + height / 8, width: (width * 3) / 4, height: height / 2 };
-  return (await page.screenshot({ clip })).toString("base64");
 }
 
 test.describe("without motion of its own", () => {

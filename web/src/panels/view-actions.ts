@@ -57,7 +57,9 @@ export function viewActions({ document, view, toolbox, messages, cancelGesture }
     },
     perspective: {
       run() {
-        view.projection.value = view.projection.peek() === "plan" ? "perspective" : "plan";
+        const isPlan = view.projection.peek() === "plan";
+        view.projection.value = isPlan ? "perspective" : "plan";
+        messages.announce(isPlan ? "In perspective" : "In plan");
       },
     },
     fit: { run: () => lens().fit() },

@@ -174,4 +174,17 @@ describe("movement", () => {
       expect(dot(a, l)).toBeCloseTo(0, 6);
     }
   });
+
+  it("a cone that rises climbs, and a figure stays upright", () => {
+    const times = Float64Array.of(0, 10);
+    const xy = Float32Array.of(0, 0, 0, 9, 30, 0, 0, 9);
+    const ends = [0, 30].map((x, k) => new Formation(Float64Array.of(x, 0, 0, 9), Float64Array.of(30 * k, 4)));
+    const up = { ...track, keyframes: ends.map((end, k) => keyframeAt(10 * k, end)) };
+    const show = new Show(up, [new SegmentMotion(times, xy, 2, Float32Array.of(0, 4, 30, 4))]);
+    const { place, climb, ahead } = poses(show, 5, "cones");
+    expect([...place]).toEqual([15, 0, 15, 0, 9, 4]);
+    expect(climb).toBeCloseTo(Math.SQRT1_2, 6);
+    expect(ahead[5]).toBe(0);
+    expect(poses(show, 5, "figures").climb).toBe(0);
+  });
 });

@@ -39,7 +39,7 @@ export function audienceSeat(box: Box, sheet: Bounds, size: Size): Orbit {
 /** Straight down, with the ground where the plan has it. */
 export function overPlan(camera: Camera, size: Size): Orbit {
   const [x, y] = toStage(camera, { x: size.width / 2, y: size.height / 2 });
-  const distance = size.height / camera.scale / 2 / Math.tan(FIELD_OF_VIEW / 2);
+  const distance = Math.max(size.height, 1) / camera.scale / 2 / Math.tan(FIELD_OF_VIEW / 2);
   return { x, y, z: 0, distance, azimuth: 0, elevation: Math.PI / 2 };
 }
 
