@@ -69,7 +69,7 @@ export function ModesPanel() {
               The first {FEW_MODES} of {formatCount(agentCount)} modes are shown.
             </Note>
           )}
-          {segment !== null && <TransitionSections solo={solo} segment={segment} />}
+          {segment !== null && <TransitionSections key={segment} solo={solo} segment={segment} />}
           {segment === null && mainTrack(scene).segments.length > 0 && (
             <Note>Select a transition to see how these modes become those of the next formation.</Note>
           )}
