@@ -102,3 +102,32 @@ test("ties between two groups are cut to split them, and brought back", async ({
   await studio.inspector.getByRole("button", { name: "As proposed" }).click();
   expect((await studio.sceneFile()).adjacency?.cuts ?? []).toEqual([]);
 });
+
+test("groups move as wholes once hierarchy is on, one of them by a way of its own", async ({ studio }) => {
+  await drawBlocks(studio);
+  await acceptThree(studio);
+  await studio.button("Add keyframe").click();
+  await studio.drag([
+    [0.2, 0.3],
+    [0.25, 0.7],
+  ]);
+  await studio.planned();
+  await studio.transitions.first().click();
+  const hierarchy = studio.inspector.getByRole("checkbox", { name: /Hierarchy/ });
+  await hierarchy.check();
+  await studio.inspector.getByRole("combobox", { name: "Another way for" }).selectOption({ label: "Group 2" });
+  await studio.inspector.getByRole("combobox", { name: "Method of Group 2" }).selectOption({ label: "Polar" });
+  await studio.inspector.getByRole("combobox", { name: "Blend of Group 2" }).selectOption({ label: "Linear" });
+  const amount = studio.inspector.getByRole("spinbutton", { name: "Amount of Group 2" });
+  await amount.fill("0.3");
+  await amount.press("Enter");
+  await studio.planned();
+  const [segment] = (await studio.sceneFile()).segments ?? [];
+  const node = { group: [1], method: "polar", blend: { method: "linear", amount: 0.3 } };
+  expect(segment).toMatchObject({ hierarchy: true, nodes: [node] });
+
+  for (let step = 0; step < 4; step += 1) await studio.button("Undo").click();
+  await expect(hierarchy).toBeChecked();
+  await studio.button("Undo").click();
+  await expect(hierarchy).not.toBeChecked();
+});

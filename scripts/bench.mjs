@@ -15,6 +15,7 @@ const PROMISES = {
   "moved agent 60": "≤ 15 ms",
   "moved agent 300": "≤ 200 ms",
   "moved agent 25 auto": "≤ 30 ms",
+  "moved group in 1260": "≤ 100 ms",
   "one transition of 1260": "≤ 6 s",
   "show of 200 x 23 auto": "≤ 6 s",
 };

@@ -1,5 +1,7 @@
+import thousand from "../../public/examples/thousand.eigenform.json?raw";
+import { moveAgents } from "../../web/src/document/commands/agents";
 import { mainTrack, type Scene } from "../../web/src/document/scene";
-import { Ledger } from "../../web/src/engine/ledger";
+import { Ledger, sceneFrom } from "../../web/src/engine/ledger";
 import init, { Engine } from "../../web/src/engine/pkg/engine.js";
 import wasmUrl from "../../web/src/engine/pkg/engine_bg.wasm?url";
 import { strewn, strewnShow } from "./scenes";
@@ -51,6 +53,29 @@ function movedAgent(agentCount: number, method: "spectral" | "auto", count: numb
   });
 }
 
+/** Figure 11 in three levels: a group of 36 is dragged at the second keyframe, until both motions beside it are there. */
+function movedGroup(count: number): number[] {
+  const engine = new Engine();
+  const ledger = new Ledger();
+  const opened = sceneFrom((JSON.parse(engine.open(thousand)) as { scene: string }).scene);
+  const track = mainTrack(opened);
+  const way = { method: "spectral", hierarchy: true, timing: "smooth" } as const;
+  const segments = track.segments.map((segment) => ({ ...segment, ...way }));
+  const scene = { ...opened, tracks: [{ ...track, segments }] };
+  take(engine, ledger, scene);
+  performAll(engine, scene);
+  const group = new Set(Array.from({ length: 36 }, (_, agent) => 36 + agent));
+  let moved = 0;
+  return runs(count, () => {
+    moved += 0.37;
+    const dragged = moveAgents(1, group, [moved, -moved / 2]).apply(scene);
+    return timed(() => {
+      take(engine, ledger, dragged);
+      performAll(engine, dragged);
+    });
+  });
+}
+
 function whole(scene: Scene, count: number): number[] {
   return runs(count, () => {
     const engine = new Engine();
@@ -87,6 +112,7 @@ const rows: Record<string, () => number[]> = {
   "moved agent 60": () => movedAgent(60, "spectral", 15),
   "moved agent 300": () => movedAgent(300, "spectral", 9),
   "moved agent 25 auto": () => movedAgent(25, "auto", 15),
+  "moved group in 1260": () => movedGroup(9),
   "one transition of 1260": () => whole(strewnShow(1260, 2, 10, "spectral"), 3),
   "show of 200 x 23 auto": () => whole(strewnShow(200, 23, 10, "auto"), 3),
 };

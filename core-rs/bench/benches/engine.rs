@@ -10,10 +10,11 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use eigenform::adjacency::{self, AdjacencySpec};
 use eigenform::assignment;
 use eigenform::choice::MethodName;
+use eigenform::formation::Formation;
 use eigenform::perform::{Performer, Step};
 use eigenform::scene::Scene;
 use eigenform::spectral::Eigenbasis;
-use eigenform_bench::{show, strewn};
+use eigenform_bench::{show, strewn, thousand};
 
 fn eigenbasis(criterion: &mut Criterion) {
     for agent_count in [300, 1260] {
@@ -54,6 +55,28 @@ fn moved_agent(criterion: &mut Criterion) {
     }
 }
 
+/// From a group dragged at the second keyframe of 1,260 agents in three levels to the new motions of both segments beside it.
+fn moved_group(criterion: &mut Criterion) {
+    let scene = thousand();
+    criterion.bench_function("moved group in 1260", |bencher| {
+        bencher.iter_batched(
+            || {
+                let mut performer = Performer::default();
+                perform_all(&mut performer, &scene);
+                let mut dragged = scene.clone();
+                let mut positions = scene.main_track().keyframes[1].positions.positions().to_vec();
+                for place in &mut positions[36..72] {
+                    place.x += 1.37;
+                }
+                dragged.tracks[0].keyframes[1].positions = Arc::new(Formation::new(positions));
+                (performer, dragged)
+            },
+            |(mut performer, dragged)| perform_all(&mut performer, &dragged),
+            BatchSize::PerIteration,
+        );
+    });
+}
+
 fn whole(criterion: &mut Criterion) {
     for (name, scene) in [
         ("one transition of 1260", show(1260, 2, 10.0, MethodName::Spectral)),
@@ -73,6 +96,6 @@ fn perform_all(performer: &mut Performer, scene: &Scene) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(10).without_plots();
-    targets = eigenbasis, assign, moved_agent, whole
+    targets = eigenbasis, assign, moved_agent, moved_group, whole
 }
 criterion_main!(benches);

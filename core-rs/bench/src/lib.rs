@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use eigenform::choice::{Alignment, MethodName, Order};
 use eigenform::formation::Formation;
-use eigenform::scene::{Agent, Keyframe, Scene, Segment, Track, TransitionSpec};
+use eigenform::scene::{Agent, Keyframe, Scene, Segment, Track, TransitionSpec, read_json};
 use glam::DVec2;
 
 /// A small generator of numbers in 0..1 (Numerical Recipes' linear congruential constants).
@@ -33,4 +33,16 @@ pub fn show(agent_count: usize, keyframe_count: usize, seconds: f64, method: Met
     let segments = vec![Segment::Transition(spec); keyframe_count.saturating_sub(1)];
     let agents = Arc::new(vec![Agent::default(); agent_count]);
     Scene { minimum_distance: 0.5, tracks: vec![Track { agents, keyframes, segments }], ..Scene::default() }
+}
+
+/// The example after figure 11: 1,260 agents in groups of 36 and of 6, with four keyframes, moved by groups.
+///
+/// # Panics
+/// When the example is no scene: a bug.
+pub fn thousand() -> Scene {
+    let mut scene = read_json(include_str!("../../../public/examples/thousand.eigenform.json")).expect("the example is a scene");
+    for Segment::Transition(transition) in &mut scene.tracks[0].segments {
+        *transition = TransitionSpec { method: MethodName::Spectral, hierarchy: true, ..transition.clone() };
+    }
+    scene
 }

@@ -97,8 +97,8 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
         const { scene, selection } = here(document);
         const segment = selection.kind === "transition" ? mainTrack(scene).segments[selection.index] : undefined;
         if (!segment) return;
-        const { method, order, alignment, sharing, keepSize, timing } = segment;
-        document.perform(setAllTransitions({ method, order, alignment, sharing, keepSize, timing }));
+        const { kind: _, chosen: __, ...options } = segment;
+        document.perform(setAllTransitions(options));
       },
     },
   };

@@ -47,6 +47,9 @@ struct Options {
     #[serde(skip_serializing_if = "Option::is_none")]
     keep_size: Option<bool>,
     timing: Timing,
+    /// Said where groups move as wholes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    hierarchy: Option<bool>,
 }
 
 pub fn run(arguments: &Measure) -> Result<Vec<String>, Failure> {
@@ -86,6 +89,7 @@ fn options(choice: &Choice, transition: &TransitionSpec) -> Options {
         sharing: is_spectral.then_some(choice.sharing),
         keep_size: has_modes.then_some(transition.keep_size),
         timing: transition.timing,
+        hierarchy: transition.hierarchy.then_some(true),
     }
 }
 

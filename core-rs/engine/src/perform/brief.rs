@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use super::levels::node_way;
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Choice, Join, MethodName, Timing};
 use crate::formation::Formation;
 use crate::scene::{Group, Keyframe, Scene, Segment, TransitionSpec};
-use crate::transition::{Chain, End};
+use crate::transition::{Chain, End, Way, Ways};
 
 /// Two equal briefs have the same motion. Large parts are compared by identity.
 ///
@@ -130,6 +131,22 @@ impl Brief {
         [before.as_ref().map(|asked| (self.at - 1, asked)), Some((self.at, &self.own)), after.as_ref().map(|asked| (self.at + 1, asked))]
     }
 
+    /// The ways of the group at a path, where its segments go by groups: `ways` are those of the segments.
+    pub(super) fn node_ways(&self, path: &[u32], ways: &Ways) -> Ways {
+        let of = |asked: &Asked, way: Way| node_way(&asked.transition, path, way.choice);
+        let [before, after] = &self.beside;
+        Ways {
+            before: before.as_ref().zip(ways.before).map(|(asked, way)| of(asked, way)),
+            own: of(&self.own, ways.own),
+            after: after.as_ref().zip(ways.after).map(|(asked, way)| of(asked, way)),
+        }
+    }
+
+    /// The number of the segment in its scene.
+    pub(super) fn segment(&self) -> usize {
+        self.keyframes[self.at].index
+    }
+
     /// Whether the agents stop at the source and at the target.
     pub(super) fn stops(&self) -> [bool; 2] {
         [self.beside[0].is_none(), self.beside[1].is_none()]
@@ -141,11 +158,21 @@ impl Brief {
     }
 }
 
-/// Whether the agents stop at a keyframe: every one where segments are separate, else the first, the last, corners and holds.
+/// Whether the agents stop at a keyframe: every one where segments are separate, else the first, the last, corners, holds, and where
+/// moving by groups begins or ends, since there is no one velocity for both.
 fn is_stop(scene: &Scene, keyframe: usize) -> bool {
-    let keyframes = &scene.main_track().keyframes;
-    let at = &keyframes[keyframe];
-    scene.join == Join::Separate || keyframe == 0 || keyframe + 1 == keyframes.len() || at.corner || at.hold > 0.0
+    let track = scene.main_track();
+    let at = &track.keyframes[keyframe];
+    let by_groups = |segment: usize| {
+        let Segment::Transition(transition) = &track.segments[segment];
+        transition.hierarchy
+    };
+    scene.join == Join::Separate
+        || keyframe == 0
+        || keyframe + 1 == track.keyframes.len()
+        || at.corner
+        || at.hold > 0.0
+        || by_groups(keyframe - 1) != by_groups(keyframe)
 }
 
 impl PartialEq for Seen {

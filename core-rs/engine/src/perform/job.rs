@@ -15,7 +15,7 @@ use crate::error::Error;
 use crate::measure;
 use crate::motion::{Motion, sample_times};
 use crate::scene::Scene;
-use crate::transition::{Chain, End, Transition, Way, Ways};
+use crate::transition::{Chain, End, Hierarchy, Transition, Way, Ways};
 
 /// How much of a segment's progress is its planning.
 const PLANNING_SHARE: f64 = 0.7;
@@ -85,6 +85,10 @@ struct Choosing {
 struct Plan {
     chain: Chain,
     ways: Ways,
+    /// Where the segment goes by groups.
+    hierarchy: Option<Hierarchy>,
+    /// Where the samples will be, as far as the clock is known.
+    ts: Arc<[f64]>,
     candidates: Arc<Vec<Candidate>>,
 }
 
@@ -164,7 +168,7 @@ impl Work {
                 Some(Way::of(choosing.known[index]?, asked.transition.keep_size))
             };
             let ways = Ways { before: way(0), own: way(1).expect("a segment has a choice of its own"), after: way(2) };
-            return Stage::Planning(Plan { chain: choosing.chain, ways, candidates: choosing.candidates });
+            return Stage::Planning(self.begin_plan(choosing.chain, ways, choosing.candidates, performer));
         };
         let Some((source, asked)) = *next else {
             choosing.known.push(None);
@@ -176,7 +180,10 @@ impl Work {
         }
         let trial = choosing.trial.get_or_insert_with(|| {
             let [from, to] = [source, source + 1].map(|end| choosing.chain.ends()[end].clone());
-            Trial::new(from, to, asked.transition.keep_size, self.brief.minimum_distance)
+            let chain = Chain::between(from, to);
+            let by_groups = asked.transition.hierarchy;
+            let hierarchy = by_groups.then(|| performer.levels.hierarchy(&self.scene.groups, &chain, None));
+            Trial::new(chain, hierarchy, &asked.transition, self.brief.minimum_distance)
         });
         if let Some(table) = trial.step(&mut performer.planner, &mut performer.tables) {
             choosing.known.push(Some(chosen(&table)));
@@ -188,18 +195,47 @@ impl Work {
         Stage::Choosing(choosing)
     }
 
-    fn plan(&self, plan: Plan, performer: &mut Performer) -> Stage {
-        let Some(transition) = performer.planner.step(&plan.chain, &plan.ways) else { return Stage::Planning(plan) };
-        let transition: Arc<dyn Transition> = transition.into();
-        match Clock::of(self.brief.own.transition.timing, self.brief.stops()) {
+    fn begin_plan(&self, chain: Chain, ways: Ways, candidates: Arc<Vec<Candidate>>, performer: &mut Performer) -> Plan {
+        let Work { scene, brief, .. } = self;
+        let by_groups = brief.own.transition.hierarchy;
+        let hierarchy = by_groups.then(|| performer.levels.hierarchy(&scene.groups, &chain, Some(brief.segment())));
+        let ts = self.known_clock().map_or(Vec::new(), |clock| self.parameters(&clock, &self.times()));
+        Plan { chain, ways, hierarchy, ts: ts.into(), candidates }
+    }
+
+    fn plan(&self, mut plan: Plan, performer: &mut Performer) -> Stage {
+        let transition: Arc<dyn Transition> = if let Some(hierarchy) = &mut plan.hierarchy {
+            let node_ways = |path: &[u32]| self.brief.node_ways(path, &plan.ways);
+            let Some(done) = hierarchy.step(&mut performer.planner, node_ways, &plan.ts) else { return Stage::Planning(plan) };
+            let done = Arc::new(done);
+            performer.levels.keep(self.brief.segment(), &done);
+            done
+        } else {
+            let Some(done) = performer.planner.step(&plan.chain, &plan.ways) else { return Stage::Planning(plan) };
+            done.into()
+        };
+        match self.known_clock() {
             Some(clock) => self.set_off(plan, transition, clock),
             None => Stage::Clocking(plan, Sampling::new(transition, path_parameters())),
         }
     }
 
+    /// None where the clock follows from the path.
+    fn known_clock(&self) -> Option<Clock> {
+        Clock::of(self.brief.own.transition.timing, self.brief.stops())
+    }
+
+    fn times(&self) -> Vec<f64> {
+        sample_times(self.brief.start, self.brief.end, self.brief.frame_rate)
+    }
+
+    fn parameters(&self, clock: &Clock, times: &[f64]) -> Vec<f64> {
+        times.iter().map(|time| clock.parameter(self.brief.fraction(*time))).collect()
+    }
+
     fn set_off(&self, plan: Plan, transition: Arc<dyn Transition>, clock: Clock) -> Stage {
-        let times = sample_times(self.brief.start, self.brief.end, self.brief.frame_rate);
-        let ts = times.iter().map(|time| clock.parameter(self.brief.fraction(*time))).collect();
+        let times = self.times();
+        let ts = self.parameters(&clock, &times);
         Stage::Moving(plan, clock, times, Sampling::new(transition, ts))
     }
 

@@ -8,6 +8,7 @@ mod brief;
 mod clock;
 mod graphs;
 mod job;
+mod levels;
 mod modes;
 mod performed;
 mod sampling;
@@ -30,6 +31,7 @@ pub use show::Performance;
 
 use brief::Brief;
 use graphs::Graphs;
+use levels::Levels;
 use trial::Tables;
 
 /// Motions of one segment of 1,260 agents over 10 s are 6 MB.
@@ -40,6 +42,7 @@ pub struct Performer {
     graphs: Graphs,
     planner: Planner,
     tables: Tables,
+    levels: Levels,
     performed: Recent<Brief, Arc<Performed>>,
     groups: Arc<Vec<Group>>,
     adjacency: Arc<AdjacencySpec>,
@@ -52,6 +55,7 @@ impl Default for Performer {
             graphs: Graphs::default(),
             planner: Planner::default(),
             tables: Tables::default(),
+            levels: Levels::default(),
             performed: Recent::new(MOTION_BYTE_LIMIT),
             groups: Arc::default(),
             adjacency: Arc::default(),

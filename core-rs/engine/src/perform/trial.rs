@@ -7,12 +7,15 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use super::auto;
+use super::levels::node_way;
 use super::performed::Candidate;
 use crate::choice::Choice;
+use crate::grouping::Tree;
 use crate::measure::{self, Score};
 use crate::motion::Motion;
-use crate::recent::Recent;
-use crate::transition::{Chain, End, Planner, Transition, Way, Ways};
+use crate::recent::{Recent, Same};
+use crate::scene::TransitionSpec;
+use crate::transition::{Chain, End, Hierarchy, Planner, Transition, Way, Ways};
 
 /// Tables keep formations alive; a show of 200 × 23 has 0.1 MB of them.
 const BYTE_LIMIT: usize = 16 << 20;
@@ -24,6 +27,8 @@ struct Question {
     target: End,
     keeps_size: bool,
     minimum_distance: f64,
+    /// By groups: what they do of their own.
+    by_groups: Option<(Same<Tree>, TransitionSpec)>,
 }
 
 /// Tables found lately.
@@ -39,18 +44,21 @@ impl Default for Tables {
 pub(super) struct Trial {
     question: Question,
     chain: Chain,
+    hierarchy: Option<Hierarchy>,
     /// Ways still to try, last first.
     left: Vec<Choice>,
     tried: Vec<(Choice, Score)>,
 }
 
 impl Trial {
-    /// Between two keyframes.
-    pub(super) fn new(source: End, target: End, keeps_size: bool, minimum_distance: f64) -> Self {
-        let mut left = auto::choices(source.formation.agent_count());
+    /// Of a segment without neighbors; `hierarchy` plans it where it goes by groups.
+    pub(super) fn new(chain: Chain, hierarchy: Option<Hierarchy>, transition: &TransitionSpec, minimum_distance: f64) -> Self {
+        let mut left = auto::choices(hierarchy.as_ref().map_or(chain.agent_count(), Hierarchy::most_parts));
         left.reverse();
-        let chain = Chain::between(source.clone(), target.clone());
-        Self { question: Question { source, target, keeps_size, minimum_distance }, chain, left, tried: Vec::new() }
+        let [source, target] = [0, 1].map(|end: usize| chain.ends()[end].clone());
+        let by_groups = hierarchy.as_ref().map(|hierarchy| (Same(hierarchy.tree().clone()), transition.clone()));
+        let question = Question { source, target, keeps_size: transition.keep_size, minimum_distance, by_groups };
+        Self { question, chain, hierarchy, left, tried: Vec::new() }
     }
 
     /// Works for a while; the table when it is known.
@@ -64,7 +72,12 @@ impl Trial {
             tables.0.put(self.question.clone(), table.clone(), bytes);
             return Some(table);
         };
-        let transition = planner.step(&self.chain, &Ways::all(Way::of(choice, self.question.keeps_size)))?;
+        let transition: Box<dyn Transition> = match (&mut self.hierarchy, &self.question.by_groups) {
+            (Some(hierarchy), Some((_, spec))) => {
+                Box::new(hierarchy.step(planner, |path| Ways::all(node_way(spec, path, choice)), &Arc::default())?)
+            }
+            _ => planner.step(&self.chain, &Ways::all(Way::of(choice, self.question.keeps_size)))?,
+        };
         self.left.pop();
         self.tried.push((choice, self.judge(&*transition)));
         None

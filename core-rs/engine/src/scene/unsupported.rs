@@ -11,18 +11,12 @@ use crate::error::Error;
 /// The first such value of a scene that is right otherwise.
 pub(super) fn check(scene: &Scene) -> Result<(), Error> {
     avoidance(scene)?;
-    hierarchy(scene)?;
     obstacles(scene)?;
     space(scene)
 }
 
 fn avoidance(scene: &Scene) -> Result<(), Error> {
     no_segment(scene, |transition| transition.avoidance, "true", "false", "avoidance")
-}
-
-fn hierarchy(scene: &Scene) -> Result<(), Error> {
-    no_segment(scene, |transition| transition.hierarchy, "true", "false", "hierarchy")?;
-    no_segment(scene, |transition| !transition.nodes.is_empty(), "a list with entries", "[]", "nodes")
 }
 
 fn obstacles(scene: &Scene) -> Result<(), Error> {

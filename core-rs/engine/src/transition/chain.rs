@@ -95,6 +95,22 @@ impl Chain {
         Self::between(self.ends[self.at].clone(), self.ends[self.at + 1].clone())
     }
 
+    /// The same segment for other agents: one end a keyframe, all of the same.
+    pub(super) fn with_ends(&self, ends: Vec<End>) -> Self {
+        assert_eq!(ends.len(), self.ends.len(), "one end a keyframe");
+        Self { ends, ..self.clone() }
+    }
+
+    /// Whether another is made of equal parts, so that its motions are the same.
+    pub(super) fn looks_like(&self, other: &Self) -> bool {
+        let shape = |chain: &Self| (chain.at, chain.join, chain.tension);
+        let are_alike = |(one, other): (&End, &End)| one.formation == other.formation && one.adjacency == other.adjacency;
+        shape(self) == shape(other)
+            && self.durations == other.durations
+            && self.ends.len() == other.ends.len()
+            && self.ends.iter().zip(&other.ends).all(are_alike)
+    }
+
     /// Whether the agents stop at both ends, so that no join matters.
     pub(super) fn is_alone(&self) -> bool {
         self.ends.len() == 2

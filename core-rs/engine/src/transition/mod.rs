@@ -8,8 +8,11 @@ mod blend;
 mod carried;
 mod chain;
 mod cubic;
+mod hierarchical;
+mod hierarchy;
 mod linear;
 mod modal;
+mod nodes;
 mod pairs;
 mod piece;
 mod planner;
@@ -24,6 +27,9 @@ mod turns;
 use glam::DVec2;
 
 pub use chain::{Chain, End, Way, Ways};
+pub use hierarchical::Hierarchical;
+pub use hierarchy::Hierarchy;
+pub(crate) use nodes::nodes_at;
 pub use planner::Planner;
 
 use blend::Blend;

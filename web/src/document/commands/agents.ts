@@ -4,7 +4,8 @@ import type { Formation, Point } from "../formation";
 import { clampCoordinate, clipText, LIMITS, withinLimits } from "../limits";
 import { type Agent, type Group, mainTrack, type Scene } from "../scene";
 import type { Command } from "../store";
-import { dropFromAdjacency, dropFromGroups } from "./reindex";
+import { followNodes } from "./nodes";
+import { dropFromAdjacency, dropFromGroups, pathAfterDrop } from "./reindex";
 
 /** Move some agents at one keyframe, meters. */
 export function moveAgents(keyframe: number, agents: ReadonlySet<number>, by: Point, label = "Move agents"): Command {
@@ -108,11 +109,12 @@ export function deleteAgents(agents: ReadonlySet<number>): Command {
           adjacency: keyframe.adjacency && dropFromAdjacency(keyframe.adjacency, places),
         })),
       }));
-      return chooseAllAgain({
+      const left = {
         ...next,
         groups: dropFromGroups(scene.groups, places),
         adjacency: dropFromAdjacency(scene.adjacency, places),
-      });
+      };
+      return chooseAllAgain(followNodes(scene, left, (path) => pathAfterDrop(scene.groups, places, path)));
     },
   };
 }

@@ -7,6 +7,7 @@ import { type Group, type GroupPath, mainTrack, type Scene } from "../scene";
 import { common, isWithin, without } from "../sets";
 import type { Command } from "../store";
 import { changeChildren, changeGroup, removeGroup, withoutAgents } from "./group-tree";
+import { followNodes } from "./nodes";
 
 /**
  * Make a group of agents, inside the innermost group that holds them all.
@@ -142,14 +143,15 @@ function patch(scene: Scene, path: GroupPath, change: Partial<Group>): Scene {
   );
 }
 
-/** Groups matter to a motion through their ties: with any, auto chooses again. */
+/** Groups matter to a motion through their ties, and where it goes by groups: then auto chooses again. */
 export function withGroups(scene: Scene, groups: readonly Group[]): Scene {
   if (groups === scene.groups) return scene;
-  const next = { ...scene, groups };
+  const next = followNodes(scene, { ...scene, groups });
   const isTied = [scene.groups, groups].some((tree) =>
     groupPaths(tree).some((path) => groupAt(tree, path)?.tieWeight != null),
   );
-  return withinLimits(scene, isTied ? chooseAllAgain(next) : next);
+  const isMoving = mainTrack(scene).segments.some((segment) => segment.hierarchy);
+  return withinLimits(scene, isTied || isMoving ? chooseAllAgain(next) : next);
 }
 
 function freeName(groups: readonly Group[]): string {

@@ -1,4 +1,4 @@
-import type { AdjacencySpec, Group } from "../scene";
+import type { AdjacencySpec, Group, GroupPath } from "../scene";
 
 /** Groups of the agents that stay, under their new indices; a group that loses its last agent goes. */
 export function dropFromGroups(groups: readonly Group[], places: ReadonlyMap<number, number>): readonly Group[] {
@@ -9,6 +9,20 @@ export function dropFromGroups(groups: readonly Group[], places: ReadonlyMap<num
     const wasEmpty = group.members.length === 0 && group.children.length === 0;
     return isEmptied && !wasEmpty ? [] : [{ ...group, members, children }];
   });
+}
+
+/** Where a group is once others are dropped; null when it goes itself. */
+export function pathAfterDrop(
+  groups: readonly Group[],
+  places: ReadonlyMap<number, number>,
+  path: GroupPath,
+): GroupPath | null {
+  const [step, ...rest] = path;
+  if (step === undefined) return [];
+  const group = groups[step];
+  if (!group || dropFromGroups([group], places).length === 0) return null;
+  const within = pathAfterDrop(group.children, places, rest);
+  return within && [dropFromGroups(groups.slice(0, step), places).length, ...within];
 }
 
 /** Ties among the agents that stay, under their new indices. */

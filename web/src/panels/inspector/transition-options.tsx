@@ -6,6 +6,7 @@ import { Row } from "../controls/row";
 import { Select } from "../controls/select";
 import { Switch } from "../controls/switch";
 import { useStudio } from "../studio";
+import { HierarchyRows } from "./hierarchy-rows";
 import { MinimumDistanceRow } from "./minimum-distance-row";
 import { optionsShown, takenOver } from "./options-shown";
 import { SHARING } from "./quantities";
@@ -76,6 +77,7 @@ export function TransitionOptions(props: { index: number; segment: Segment; choi
           onToggle={(keepSize) => document.perform(setTransition(index, { keepSize }))}
         />
       )}
+      <HierarchyRows index={index} segment={segment} choice={choice} />
       {mainTrack(document.scene.value).segments.length > 1 && (
         <WordAction id="use-everywhere" class="button quiet use-everywhere">
           Use for every transition
