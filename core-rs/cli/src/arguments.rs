@@ -50,7 +50,7 @@ pub enum Verb {
     Link(Link),
     /// The scene of a link, as a scene file
     Open(Open),
-    /// A scene file from a keyframe CSV, or the other way
+    /// A scene file from a keyframe CSV or a recording, or a keyframe CSV from a scene
     Convert(Convert),
     /// Whether a scene is sound
     Check(Check),
@@ -227,12 +227,20 @@ pub struct Open {
 The extension of OUT says what is written: .json or .csv. With - it is printed: a keyframe CSV of a scene file, a
 scene file of anything else. What a CSV cannot hold is said on stderr.
 
+With --frames SCENE is a recording of motion: motion CSV (frame,time,agent,x,y,z) or the text format of JuPedSim and
+PedPy (# framerate: 25.00 fps, then rows of id frame x y). Its frames become keyframes, the first of them at 0 s, of the
+agents that are there at all of them.
+
 Examples:
   eigenform convert show.eigenform.json keyframes.csv
-  eigenform convert keyframes.csv show.eigenform.json")]
+  eigenform convert keyframes.csv show.eigenform.json
+  eigenform convert crowd.txt show.eigenform.json --frames 0,120,300")]
 pub struct Convert {
     #[command(flatten)]
     pub source: Source,
+    /// Make a scene of these frames of a recording, by their numbers in it
+    #[arg(long, value_name = "FRAMES", value_delimiter = ',', allow_negative_numbers = true)]
+    pub frames: Option<Vec<i64>>,
     /// A file named .json or .csv, or - for standard output
     pub out: PathBuf,
 }

@@ -7,7 +7,7 @@ use std::path::Path;
 use eigenform::choice::{Join, MethodName};
 use eigenform::error::Error;
 use eigenform::formation::Formation;
-use eigenform::scene::{Opened, Scene, Segment, limits, open, open_bytes, validate};
+use eigenform::scene::{self, Opened, Read, Scene, Segment, limits, open, open_bytes, recording, validate};
 
 use crate::arguments::Source;
 use crate::failure::Failure;
@@ -28,6 +28,24 @@ pub fn read(source: &Source) -> Result<Opened, Failure> {
     override_parts(&mut opened.scene, source)?;
     validate(&opened.scene)?;
     Ok(opened)
+}
+
+/// Reads a recording, makes a scene of the frames with these numbers, and applies what is to be otherwise.
+pub fn read_recording(source: &Source, numbers: &[i64]) -> Result<Opened, Failure> {
+    let bytes = read_bytes(&source.scene)?;
+    let text = std::str::from_utf8(&bytes).map_err(|error| Error::NotText { byte: error.valid_up_to() })?;
+    let recording = recording::read_recording(text)?;
+    let (first, last) = recording.numbers();
+    let frame = |number: &i64| {
+        let (value, low, high) = (*number as f64, first as f64, last as f64);
+        recording.frame_numbered(*number).ok_or(Error::OutOfRange { value, low, high, place: "--frames".to_owned() })
+    };
+    let frames = numbers.iter().map(frame).collect::<Result<Vec<_>, _>>()?;
+    let Read { mut scene, notes } = recording.scene(&frames)?;
+    override_parts(&mut scene, source)?;
+    validate(&scene)?;
+    // As a keyframe CSV: printed, it is a scene file.
+    Ok(Opened { scene, source: scene::Source::Csv, notes })
 }
 
 /// The bytes of a file, or of standard input for `-`. No more than a valid scene needs is read.

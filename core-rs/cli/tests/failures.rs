@@ -45,6 +45,7 @@ fn bad_input_is_two_and_says_where() {
     desk.put("avoiding.json", &SHOW.replace("\"linear\"", "\"linear\", \"avoidance\": true"));
     desk.put("empty.csv", "");
     desk.put("cut.csv", "keyframe,time,agent,group,x,y\n0,0,a,,1\n");
+    desk.put("crowd.txt", "# framerate: 10\n1 0 0 0\n1 1 1 1\n");
     for (arguments, start) in [
         (&["check", "broken.json"][..], "invalid-json: "),
         (&["check", "other.json"], "not-a-scene: "),
@@ -53,6 +54,9 @@ fn bad_input_is_two_and_says_where() {
         (&["motion", "avoiding.json"], "unsupported: "),
         (&["check", "empty.csv"], "empty: "),
         (&["check", "cut.csv"], "cut-row: "),
+        (&["motion", "crowd.txt"], "recording: "),
+        (&["convert", "crowd.txt", "out.json", "--frames", "0,2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--frames)"),
+        (&["convert", "show.json", "out.json", "--frames", "0,1"], "cut-row: "),
         (&["modes", "show.json", "--keyframe", "2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--keyframe)"),
         (&["assign", "show.json", "--from", "0", "--to", "7"], "out-of-range: "),
         (&["motion", "show.json", "--at", "NaN"], "not-finite: "),

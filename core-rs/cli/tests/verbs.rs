@@ -205,3 +205,18 @@ fn every_verb_has_help_with_an_example() {
     }
     assert!(desk.answer(&["--help"]).contains("Exit codes"));
 }
+
+#[test]
+fn convert_makes_a_scene_of_frames_of_a_recording() {
+    let desk = Desk::new();
+    desk.put("crowd.txt", "# framerate: 10.00 fps\n# id frame x/m y/m\n1 5 0 0\n2 5 4 0\n1 6 1 1\n2 6 4 1\n1 7 2 2\n");
+    let outcome = desk.run(&["convert", "crowd.txt", "scene.json", "--frames", "5,7", "--method", "linear"]);
+    assert_eq!((outcome.code, outcome.stderr.lines().count()), (0, 2), "{}", outcome.stderr);
+    assert_eq!(desk.answer(&["check", "scene.json"]), "ok: 1 agents, 2 keyframes\n");
+    let motion = parsed(&desk.answer(&["motion", "scene.json", "--at", "0,0.2", "--json"]));
+    assert_eq!(motion["positions"], json!([[[0.0, 0.0]], [[2.0, 2.0]]]));
+    desk.answer(&["motion", "show.json", "--out", "motion.csv"]);
+    assert_eq!(desk.answer(&["convert", "motion.csv", "again.json", "--frames", "0,4"]), "");
+    let motion = parsed(&desk.answer(&["motion", "again.json", "--at", "2", "--json"]));
+    assert_eq!(motion["positions"], json!([[[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]]));
+}

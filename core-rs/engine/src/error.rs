@@ -313,13 +313,15 @@ pub enum Error {
     },
 
     /// A CSV without one of the columns.
-    #[error("there is no column \"{column}\"; the first row names the columns, such as keyframe,time,agent,group,x,y")]
+    #[error("there is no column \"{column}\"; the first row names the columns, such as {example}")]
     MissingColumn {
         /// Its name.
         column: &'static str,
+        /// A first row that is right.
+        example: &'static str,
     },
-    /// A column that a keyframe CSV does not have.
-    #[error("\"{column}\" is no column of a keyframe CSV; the columns are {}", Listed(admissible))]
+    /// A column that a CSV of this kind does not have.
+    #[error("\"{column}\" is no column here; the columns are {}", Listed(admissible))]
     UnknownColumn {
         /// Its name, shortened.
         column: String,
@@ -382,6 +384,63 @@ pub enum Error {
         /// What was said before, seconds.
         expected: f64,
     },
+
+    /// A recording where a scene is wanted.
+    #[error("this is a recording of motion, not a scene; some of its frames can become the keyframes of one")]
+    IsRecording,
+    /// A recording that does not say how fast it is.
+    #[error("there is no frame rate; a line such as \"# framerate: 25.00 fps\" stands before the rows")]
+    NoFrameRate,
+    /// A recording without any time in it.
+    #[error("the recording has one frame at the most; a motion has two or more")]
+    OneFrame,
+    /// A frame whose time is not where its number says.
+    #[error("frame {frame} is at {time} s, where the other frames would have it at {expected} s; frames are evenly apart")]
+    UnevenFrames {
+        /// Its number.
+        frame: i64,
+        /// What the row says, seconds.
+        time: f64,
+        /// What the first and last frame make of it, seconds.
+        expected: f64,
+        /// The row.
+        row: u64,
+    },
+    /// An agent twice at one frame.
+    #[error("row {row} gives agent {agent} twice at frame {frame}; each agent has one row a frame")]
+    RepeatedSample {
+        /// The later row.
+        row: u64,
+        /// The agent's id.
+        agent: String,
+        /// The frame's number.
+        frame: i64,
+    },
+    /// An agent that is away and comes back.
+    #[error("agent {agent} is there until frame {frame} and again from frame {back}; an agent enters once and leaves once")]
+    Gap {
+        /// The agent's id.
+        agent: String,
+        /// The last frame before the gap.
+        frame: i64,
+        /// The first frame after it.
+        back: i64,
+        /// The row of that.
+        row: u64,
+    },
+    /// A recording of more agents × frames than fits.
+    #[error("{agent_count} agents × {frames} frames; at most {limit} in all: record fewer frames a second, or cut it in parts")]
+    TooManySamples {
+        /// How many agents.
+        agent_count: usize,
+        /// How many frames.
+        frames: usize,
+        /// Agents × frames allowed.
+        limit: usize,
+    },
+    /// Frames that no agent is in all of.
+    #[error("no agent is there at all of these frames; choose frames nearer to one another")]
+    NobodyThere,
 
     /// More ties at one keyframe than the limit, groups expanded.
     #[error("{count} ties at one keyframe, those of groups included; at most {limit}")]

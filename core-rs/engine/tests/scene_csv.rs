@@ -104,7 +104,7 @@ fn every_refusal_names_its_row() {
     check("keyframe,time,agent,group,x,y\n", "no-keyframes", "keyframes", "there is no keyframe; a scene has at least one");
     let missing = "there is no column \"y\"; the first row names the columns, such as keyframe,time,agent,group,x,y";
     check("keyframe,time,agent,group,x\n", "missing-column", "row 1", missing);
-    let unknown = "\"speed\" is no column of a keyframe CSV; the columns are \
+    let unknown = "\"speed\" is no column here; the columns are \
                    \"keyframe\", \"time\", \"agent\", \"group\", \"x\", \"y\", \"z\", \"name\", \"color\"";
     check("keyframe,time,agent,group,x,y,speed\n", "unknown-column", "row 1", unknown);
     check("x,time,agent,group,x,y\n", "repeated-column", "row 1", "there are two columns \"x\"; each occurs once");

@@ -9,6 +9,7 @@ use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::grouping::{self, Way};
 use eigenform::perform::{Performed, Performer};
+use eigenform::scene::recording::{Recording, read_recording};
 use eigenform::scene::{self, Scene, Source};
 use eigenform::spectral::{Eigenbasis, ModeMatch};
 use glam::DVec2;
@@ -64,6 +65,25 @@ pub fn open(text: &str) -> Result<String, Refusal> {
         Source::Link => "link",
     };
     Ok(encode(&json!({ "scene": scene::document::write(&opened.scene), "source": source, "notes": opened.notes })))
+}
+
+pub fn recording(text: &str) -> Result<Recording, Refusal> {
+    Ok(read_recording(text)?)
+}
+
+pub fn head(recording: &Recording) -> String {
+    let Recording { frame_rate, frame_count, agents, notes, .. } = recording;
+    encode(&json!({ "frameRate": frame_rate, "frameCount": frame_count, "agents": agents, "notes": notes }))
+}
+
+pub fn positions(recording: &Recording) -> Vec<f32> {
+    let places = (0..recording.frame_count).flat_map(|frame| (0..recording.agents.len()).map(move |agent| (frame, agent)));
+    places.flat_map(|(frame, agent)| recording.position(frame, agent).unwrap_or(DVec2::NAN).to_array()).map(|x| x as f32).collect()
+}
+
+pub fn recording_scene(recording: &Recording, frames: &[usize]) -> Result<String, Refusal> {
+    let scene::Read { scene, notes } = recording.scene(frames)?;
+    Ok(encode(&json!({ "scene": scene::document::write(&scene), "notes": notes })))
 }
 
 pub fn keyframes(scene: &Scene) -> String {

@@ -11,6 +11,7 @@ use eigenform::adjacency::Adjacency;
 use eigenform::formation::Formation;
 use eigenform::perform::{Performed, Performer, SegmentJob, Step};
 use eigenform::scene::Scene;
+use eigenform::scene::recording::Recording;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use desk::{Refusal, encode};
@@ -25,6 +26,7 @@ pub struct Engine {
     performer: Performer,
     job: Option<(usize, SegmentJob)>,
     done: Option<Arc<Performed>>,
+    recording: Option<Recording>,
 }
 
 #[wasm_bindgen]
@@ -39,6 +41,24 @@ impl Engine {
     /// Any text a person brings: scene JSON, keyframe CSV or link. Answers JSON `{scene, source, notes}`.
     pub fn open(&self, text: &str) -> Result<String, Refusal> {
         desk::open(text)
+    }
+
+    /// A recording's text: motion CSV, or the text of `JuPedSim` and `PedPy`. Answers JSON `{frameRate, frameCount, agents, notes}`.
+    pub fn open_recording(&mut self, text: &str) -> Result<String, Refusal> {
+        let recording = desk::recording(text)?;
+        let head = desk::head(&recording);
+        self.recording = Some(recording);
+        Ok(head)
+    }
+
+    /// Positions of the recording opened last: x, y an agent, frame by frame; not a number where an agent is absent.
+    pub fn recording_positions(&self) -> Vec<f32> {
+        desk::positions(self.recording())
+    }
+
+    /// A scene whose keyframes are these frames of the recording opened last. Answers JSON `{scene, notes}`.
+    pub fn recording_scene(&self, frames: &[usize]) -> Result<String, Refusal> {
+        desk::recording_scene(self.recording(), frames)
     }
 
     /// Formation number `id`: x, y an agent and, in space, their heights; meters.
@@ -173,6 +193,10 @@ impl Engine {
 }
 
 impl Engine {
+    fn recording(&self) -> &Recording {
+        self.recording.as_ref().expect("a recording is opened before it is read")
+    }
+
     fn done(&self) -> &Performed {
         self.done.as_deref().expect("a segment is done before it is read")
     }

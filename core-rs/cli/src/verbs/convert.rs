@@ -1,4 +1,4 @@
-//! `eigenform convert`: a scene file from a keyframe CSV, or the other way.
+//! `eigenform convert`: a scene file from a keyframe CSV or a recording, or a keyframe CSV from a scene.
 
 use std::path::Path;
 
@@ -16,7 +16,10 @@ enum Format {
 
 pub fn run(arguments: &Convert) -> Result<Vec<String>, Failure> {
     let named = named_format(&arguments.out)?;
-    let Opened { scene, source, mut notes } = input::read(&arguments.source)?;
+    let Opened { scene, source, mut notes } = match &arguments.frames {
+        Some(frames) => input::read_recording(&arguments.source, frames)?,
+        None => input::read(&arguments.source)?,
+    };
     let text = match named.unwrap_or_else(|| other_format(source)) {
         Format::Scene => write_json(&scene),
         Format::Csv => {

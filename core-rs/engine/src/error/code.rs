@@ -51,6 +51,14 @@ impl Error {
             Self::RepeatedRow { .. } => "repeated-row",
             Self::MissingRow { .. } => "missing-row",
             Self::TimesDiffer { .. } => "times-differ",
+            Self::IsRecording => "recording",
+            Self::NoFrameRate => "no-frame-rate",
+            Self::OneFrame => "one-frame",
+            Self::UnevenFrames { .. } => "uneven-frames",
+            Self::RepeatedSample { .. } => "repeated-sample",
+            Self::Gap { .. } => "gap",
+            Self::TooManySamples { .. } => "too-many-samples",
+            Self::NobodyThere => "nobody-there",
         }
     }
 
@@ -63,6 +71,11 @@ impl Error {
             | Self::LinkDamaged
             | Self::LinkTooLarge
             | Self::FileTooLarge { .. }
+            | Self::IsRecording
+            | Self::NoFrameRate
+            | Self::OneFrame
+            | Self::TooManySamples { .. }
+            | Self::NobodyThere
             | Self::TooManyFrames { .. } => String::new(),
             Self::NotText { byte } => format!("byte {byte}"),
             Self::NotAScene { .. } => "format".to_owned(),
@@ -71,7 +84,12 @@ impl Error {
             Self::TooManyTies { keyframe, .. } => format!("keyframes[{keyframe}]"),
             Self::MissingColumn { .. } | Self::UnknownColumn { .. } | Self::RepeatedColumn { .. } => "row 1".to_owned(),
             Self::NotANumber { column, row, .. } => format!("row {row}, column {column}"),
-            Self::CutRow { row, .. } | Self::RepeatedRow { row, .. } | Self::TimesDiffer { row, .. } => format!("row {row}"),
+            Self::CutRow { row, .. }
+            | Self::RepeatedRow { row, .. }
+            | Self::TimesDiffer { row, .. }
+            | Self::UnevenFrames { row, .. }
+            | Self::RepeatedSample { row, .. }
+            | Self::Gap { row, .. } => format!("row {row}"),
             Self::MissingRow { keyframe, .. } => format!("keyframe {keyframe}"),
             Self::InvalidJson { place, .. }
             | Self::MissingField { place, .. }
@@ -117,5 +135,6 @@ fn too_many(what: Counted) -> &'static str {
         Counted::Levels => "groups-too-deep",
         Counted::Obstacles => "too-many-obstacles",
         Counted::Corners => "too-many-corners",
+        Counted::Rows => "too-many-rows",
     }
 }

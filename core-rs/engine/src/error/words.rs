@@ -31,6 +31,8 @@ pub enum Counted {
     Obstacles,
     /// Corners of one polygon.
     Corners,
+    /// Rows of a recording.
+    Rows,
 }
 
 impl Display for Counted {
@@ -49,6 +51,7 @@ impl Display for Counted {
             Self::Levels => "levels of groups",
             Self::Obstacles => "obstacles",
             Self::Corners => "corners of a polygon",
+            Self::Rows => "rows",
         })
     }
 }

@@ -75,6 +75,15 @@ pub const BEATS_PER_BAR: RangeInclusive<f64> = 1.0..=64.0;
 /// The time of the first count, in seconds; it may lie before the first keyframe.
 pub const TEMPO_START: RangeInclusive<f64> = -3_600.0..=3_600.0;
 
+/// Rows of a recording: 200 agents for a quarter of an hour, 25 times a second, and 200 MB.
+pub const RECORDING_ROWS: usize = 5_000_000;
+
+/// The number of a frame in a recording.
+pub const FRAME_NUMBER: RangeInclusive<f64> = -1e9..=1e9;
+
+/// Frames per second of a recording: from slow motion of clouds to fast cameras.
+pub const RECORDING_RATE: RangeInclusive<f64> = 1e-3..=1e4;
+
 /// Sharing ρ.
 pub const SHARING: RangeInclusive<f64> = 0.0..=1.0;
 

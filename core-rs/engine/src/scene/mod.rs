@@ -16,6 +16,7 @@ mod number;
 mod open;
 pub(crate) mod place;
 mod queries;
+pub mod recording;
 mod unsupported;
 mod validate;
 

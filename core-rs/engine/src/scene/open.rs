@@ -1,5 +1,6 @@
 //! Any text a person brings: a scene file, a keyframe CSV or a link.
 
+use super::recording::is_recording;
 use super::{Scene, limits, link, read_csv, read_json};
 use crate::error::Error;
 
@@ -29,6 +30,9 @@ pub enum Source {
 pub fn open(text: &str) -> Result<Opened, Error> {
     if text.len() > limits::FILE_BYTES {
         return Err(Error::FileTooLarge { bytes: text.len(), limit: limits::FILE_BYTES });
+    }
+    if is_recording(text) {
+        return Err(Error::IsRecording);
     }
     let opened = |scene, source| Opened { scene, source, notes: Vec::new() };
     match source(text) {

@@ -7,33 +7,38 @@ use csv::StringRecord;
 use crate::error::Error;
 use crate::scene::shown;
 
-/// The columns there are, in the order they are written.
-pub(super) const COLUMNS: &[&str] = &["keyframe", "time", "agent", "group", "x", "y", "z", "name", "color"];
+/// Which columns a kind of table has.
+pub(in crate::scene) struct Shape {
+    pub(in crate::scene) columns: &'static [&'static str],
+    pub(in crate::scene) required: &'static [&'static str],
+    /// A header as an example.
+    pub(in crate::scene) example: &'static str,
+}
 
-const REQUIRED: &[&str] = &["keyframe", "time", "agent", "x", "y"];
-
-/// Where each column of [`COLUMNS`] stands in this file.
+/// Where each column of the shape stands in this file.
 pub(super) struct Columns {
-    places: [Option<usize>; COLUMNS.len()],
+    shape: &'static Shape,
+    places: Vec<Option<usize>>,
     count: usize,
 }
 
 impl Columns {
     /// From the header; names in any case and order.
-    pub(super) fn of(header: &StringRecord) -> Result<Self, Error> {
-        let mut places = [None; COLUMNS.len()];
+    pub(super) fn of(header: &StringRecord, shape: &'static Shape) -> Result<Self, Error> {
+        let Shape { columns, required, example } = shape;
+        let mut places = vec![None; columns.len()];
         for (place, name) in header.iter().enumerate() {
             let name = name.trim();
-            let Some(column) = COLUMNS.iter().position(|known| known.eq_ignore_ascii_case(name)) else {
-                return Err(Error::UnknownColumn { column: shown(name), admissible: COLUMNS });
+            let Some(column) = columns.iter().position(|known| known.eq_ignore_ascii_case(name)) else {
+                return Err(Error::UnknownColumn { column: shown(name), admissible: columns });
             };
             if places[column].replace(place).is_some() {
-                return Err(Error::RepeatedColumn { column: COLUMNS[column] });
+                return Err(Error::RepeatedColumn { column: columns[column] });
             }
         }
-        match COLUMNS.iter().zip(places).find(|(name, place)| place.is_none() && REQUIRED.contains(name)) {
-            Some((column, _)) => Err(Error::MissingColumn { column }),
-            None => Ok(Self { places, count: header.len() }),
+        match columns.iter().zip(&places).find(|(name, place)| place.is_none() && required.contains(name)) {
+            Some((column, _)) => Err(Error::MissingColumn { column, example }),
+            None => Ok(Self { shape, places, count: header.len() }),
         }
     }
 
@@ -45,37 +50,41 @@ impl Columns {
 }
 
 /// One row; the header is row 1.
-pub(super) struct Row<'a> {
-    pub(super) number: u64,
+pub(in crate::scene) struct Row<'a> {
+    pub(in crate::scene) number: u64,
     columns: &'a Columns,
     record: &'a StringRecord,
 }
 
 impl<'a> Row<'a> {
     /// The field of a column without the white space around it; empty where the file lacks the column.
-    pub(super) fn text(&self, column: &'static str) -> &'a str {
-        let index = COLUMNS.iter().position(|known| *known == column).expect("a column that is read is known");
-        self.columns.places[index].and_then(|place| self.record.get(place)).unwrap_or("").trim()
+    pub(in crate::scene) fn text(&self, column: &'static str) -> &'a str {
+        self.place_of(column).and_then(|place| self.record.get(place)).unwrap_or("").trim()
     }
 
     pub(super) fn has(&self, column: &'static str) -> bool {
-        COLUMNS.iter().zip(self.columns.places).any(|(known, place)| *known == column && place.is_some())
+        self.place_of(column).is_some()
+    }
+
+    fn place_of(&self, column: &'static str) -> Option<usize> {
+        let index = self.columns.shape.columns.iter().position(|known| *known == column).expect("a column that is read is known");
+        self.columns.places[index]
     }
 
     /// The finite number of a column.
-    pub(super) fn number(&self, column: &'static str) -> Result<f64, Error> {
+    pub(in crate::scene) fn number(&self, column: &'static str) -> Result<f64, Error> {
         let text = self.text(column);
         let value: f64 = text.parse().map_err(|_| Error::NotANumber { value: shown(text), column, row: self.number })?;
         if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { place: self.place(column).to_string() }) }
     }
 
-    pub(super) fn place(&self, column: &'static str) -> Cell {
+    pub(in crate::scene) fn place(&self, column: &'static str) -> Cell {
         Cell { row: self.number, column }
     }
 }
 
 /// Where a field stands, shown as `row 214, column x`.
-pub(super) struct Cell {
+pub(in crate::scene) struct Cell {
     pub(super) row: u64,
     pub(super) column: &'static str,
 }

@@ -2,13 +2,11 @@
 
 use std::sync::Arc;
 
-use csv::{ReaderBuilder, StringRecord};
-
-use super::columns::Columns;
+use super::columns::Shape;
 use super::groups::tree;
+use super::rows::for_each_row;
 use super::table::{AgentRow, Table};
 use crate::error::Error;
-use crate::scene::validate::length;
 use crate::scene::{Agent, Keyframe, Scene, Segment, Stage, Track, limits, validate};
 
 /// How much wider the stage is than what stands on it.
@@ -41,64 +39,22 @@ pub fn read_csv(text: &str) -> Result<Read, Error> {
     scene(&table(text)?)
 }
 
-/// Refuses rows that no agent needs before the parser makes room for their fields.
-fn rows_are_short(text: &str) -> Result<(), Error> {
-    for (number, line) in (1_u64..).zip(text.lines()) {
-        // Old files end their rows with a carriage return alone.
-        line.split('\r').try_for_each(|row| length(row, limits::ROW_CHARACTERS, format_args!("row {number}")))?;
-    }
-    Ok(())
-}
+const SHAPE: Shape = Shape {
+    columns: &["keyframe", "time", "agent", "group", "x", "y", "z", "name", "color"],
+    required: &["keyframe", "time", "agent", "x", "y"],
+    example: "keyframe,time,agent,group,x,y",
+};
 
 fn table(text: &str) -> Result<Table, Error> {
-    rows_are_short(text)?;
-    // Flexible: a row of another length is our own error, with its row number.
-    let mut reader = ReaderBuilder::new().flexible(true).has_headers(false).from_reader(text.as_bytes());
-    let mut record = StringRecord::new();
-    let mut next = |record: &mut StringRecord| reader.read_record(record).expect("rows of a text may have any length");
-    next(&mut record);
-    let columns = Columns::of(&record)?;
     let mut table = Table::default();
-    let mut rows = RowNumbers { text: text.as_bytes(), byte: 0, number: 1 };
-    while next(&mut record) {
-        // Spreadsheets leave rows of nothing but commas behind.
-        if record.iter().all(|field| field.trim().is_empty()) {
-            continue;
-        }
-        let number = rows.at(record.position().map_or(0, csv::Position::byte) as usize);
-        table.add(&columns.row(&record, number)?)?;
-    }
+    for_each_row(text, &SHAPE, &mut |row| table.add(row))?;
     Ok(table)
-}
-
-/// Counts rows as an editor does. The parser's own numbers fall behind at empty lines, which it skips after it has counted.
-struct RowNumbers<'a> {
-    text: &'a [u8],
-    byte: usize,
-    number: u64,
-}
-
-impl RowNumbers<'_> {
-    /// The number of the first row with something in it from `byte` on.
-    fn at(&mut self, byte: usize) -> u64 {
-        let is_line_end = |b: &u8| matches!(b, b'\r' | b'\n');
-        while self.byte < self.text.len() && (self.byte < byte || is_line_end(&self.text[self.byte])) {
-            let is_end = match self.text[self.byte] {
-                b'\n' => true,
-                b'\r' => self.text.get(self.byte + 1) != Some(&b'\n'),
-                _ => false,
-            };
-            self.number += u64::from(is_end);
-            self.byte += 1;
-        }
-        self.number
-    }
 }
 
 fn scene(table: &Table) -> Result<Read, Error> {
     let keyframes = keyframes(table)?;
     let groups = tree(table.agents.iter().map(|agent| agent.group.as_str()))?;
-    let mut scene = Scene {
+    let scene = Scene {
         stage: fitted_stage(&keyframes),
         groups: Arc::new(groups),
         tracks: vec![Track {
@@ -113,9 +69,13 @@ fn scene(table: &Table) -> Result<Read, Error> {
     if changing > 0 {
         notes.push(format!("{changing} of the agents change their group between keyframes; each keeps its first."));
     }
+    checked(scene, notes)
+}
+
+/// A valid scene, at the highest frame rate that fits where its own does not: nobody chose that, so nobody could follow a refusal.
+pub(in crate::scene) fn checked(mut scene: Scene, mut notes: Vec<String>) -> Result<Read, Error> {
     let mut checked = validate(&scene);
     if let Err(Error::TooManyFrames { fitting_rate, .. }) = checked {
-        // No column says the frame rate, so nobody could follow a refusal.
         scene.frame_rate = f64::from(fitting_rate);
         notes.push(format!("The frame rate is {fitting_rate} a second, the highest that fits so many agents for so long."));
         checked = validate(&scene);
@@ -146,12 +106,12 @@ fn agents(rows: &[AgentRow]) -> Vec<Agent> {
 }
 
 /// Whether a text is a number for a thing rather than a name.
-pub(super) fn is_whole_number(text: &str) -> bool {
+pub(in crate::scene) fn is_whole_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit())
 }
 
 /// Wide, deep and high enough for everybody, centered on the ground.
-pub(super) fn fitted_stage(keyframes: &[Keyframe]) -> Stage {
+pub(in crate::scene) fn fitted_stage(keyframes: &[Keyframe]) -> Stage {
     let positions = keyframes.iter().flat_map(|keyframe| keyframe.positions.positions());
     let reach = positions.fold(glam::DVec2::ZERO, |reach, position| reach.max(position.abs()));
     let steps = |length: f64| (STAGE_MARGIN * length / STAGE_STEP).ceil();
