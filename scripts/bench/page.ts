@@ -115,6 +115,7 @@ const rows: Record<string, () => number[]> = {
   "moved group in 1260": () => movedGroup(9),
   "one transition of 1260": () => whole(strewnShow(1260, 2, 10, "spectral"), 3),
   "show of 200 x 23 auto": () => whole(strewnShow(200, 23, 10, "auto"), 3),
+  "smooth join of 300 x 6": () => whole({ ...strewnShow(300, 6, 4, "spectral"), join: "smooth" }, 3),
 };
 
 declare global {

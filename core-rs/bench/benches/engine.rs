@@ -14,7 +14,7 @@ use eigenform::formation::Formation;
 use eigenform::perform::{Performer, Step};
 use eigenform::scene::Scene;
 use eigenform::spectral::Eigenbasis;
-use eigenform_bench::{show, strewn, thousand};
+use eigenform_bench::{joined, show, strewn, thousand};
 
 fn eigenbasis(criterion: &mut Criterion) {
     for agent_count in [300, 1260] {
@@ -81,6 +81,7 @@ fn whole(criterion: &mut Criterion) {
     for (name, scene) in [
         ("one transition of 1260", show(1260, 2, 10.0, MethodName::Spectral)),
         ("show of 200 x 23 auto", show(200, 23, 10.0, MethodName::Auto)),
+        ("smooth join of 300 x 6", joined(300, 6, 4.0, MethodName::Spectral)),
     ] {
         criterion.bench_function(name, |bencher| bencher.iter(|| perform_all(&mut Performer::default(), &scene)));
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eigenform::choice::{Alignment, MethodName, Order};
+use eigenform::choice::{Alignment, Join, MethodName, Order};
 use eigenform::formation::Formation;
 use eigenform::scene::{Agent, Keyframe, Scene, Segment, Track, TransitionSpec, read_json};
 use glam::DVec2;
@@ -45,4 +45,9 @@ pub fn thousand() -> Scene {
         *transition = TransitionSpec { method: MethodName::Spectral, hierarchy: true, ..transition.clone() };
     }
     scene
+}
+
+/// A show through whose keyframes the agents pass without a stop.
+pub fn joined(agent_count: usize, keyframe_count: usize, seconds: f64, method: MethodName) -> Scene {
+    Scene { join: Join::Smooth, ..show(agent_count, keyframe_count, seconds, method) }
 }

@@ -18,6 +18,7 @@ mod piece;
 mod planner;
 mod polar;
 mod product;
+mod route;
 mod shared;
 mod smooth;
 mod spectral;

@@ -47,18 +47,22 @@ impl Planner {
     /// # Panics
     /// When a method is `auto`, or a neighbor has no way: a bug of the caller.
     pub fn step(&mut self, chain: &Chain, ways: &Ways) -> Option<Box<dyn Transition>> {
-        let lacks = if chain.is_alone() { [None, None] } else { self.velocity_lacks(chain, ways)? };
-        let mut parts = Vec::new();
-        for (choice, share) in ways.own.parts() {
-            let part: Box<dyn Transition> = match chain.join() {
-                _ if chain.is_alone() => self.alone(chain, &choice, ways.own.keeps_size)?,
-                Join::Product => self.product(chain, &choice, ways.own.keeps_size)?,
-                Join::Smooth | Join::Separate => self.smooth(chain, &choice, ways.own.keeps_size)?,
-            };
-            parts.push((part, share));
+        let (parts, keeps_size) = (ways.own.parts(), ways.own.keeps_size);
+        if chain.is_alone() {
+            let alone = parts.into_iter().map(|(choice, share)| Some((self.alone(chain, &choice, keeps_size)?, share)));
+            return Some(blended(alone.collect::<Option<_>>()?));
         }
-        let transition = if parts.len() == 1 { parts.swap_remove(0).0 } else { Box::new(Blend::new(parts)) };
-        Some(if chain.is_alone() { transition } else { bent(chain, transition, lacks) })
+        let mut routes = Vec::new();
+        for (choice, share) in parts {
+            let route = match chain.join() {
+                Join::Product => self.product(chain, &choice, keeps_size)?,
+                Join::Smooth | Join::Separate => self.smooth(chain, &choice, keeps_size)?,
+            };
+            routes.push((route, share));
+        }
+        let lacks = self.velocity_lacks(chain, ways)?;
+        let path = blended(routes.into_iter().map(|(route, share)| (route.path(chain), share)).collect());
+        Some(bent(chain, path, lacks))
     }
 
     /// Forgets what has not been used for long. Between two segments only: a step counts on the pieces of the steps before.
@@ -90,6 +94,11 @@ impl Planner {
             }
         })
     }
+}
+
+/// One transition of several with shares.
+fn blended(mut parts: Vec<(Box<dyn Transition>, f64)>) -> Box<dyn Transition> {
+    if parts.len() == 1 { parts.swap_remove(0).0 } else { Box::new(Blend::new(parts)) }
 }
 
 #[cfg(test)]

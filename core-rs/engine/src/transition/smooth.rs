@@ -4,46 +4,38 @@
 //! method: places, radii and angles, rotations. Where the methods on both sides differ, or equal eigenvalues give a keyframe two
 //! bases, the mean of both velocities is the one, and each path is bent to it.
 
-use std::sync::Arc;
-
 use glam::DVec2;
 
 use super::Transition;
-use super::carried::{Carried, Power};
+use super::carried::Power;
 use super::chain::{Chain, Way, Ways};
 use super::cubic::{Bent, Cubic};
-use super::modal::{Drift, evaluate_modes, evaluate_places};
 use super::planner::Planner;
+use super::route::Route;
 use crate::choice::{Choice, Join, MethodName};
-use crate::spectral::{Eigenbasis, Passage};
 
 impl Planner {
-    /// The segment of a chain, up to what [`bent`] adds.
-    pub(super) fn smooth(&mut self, chain: &Chain, choice: &Choice, keeps_size: bool) -> Option<Box<dyn Transition>> {
-        if goes_straight(chain, choice) {
-            return Some(Box::new(straight(chain)));
-        }
+    /// What the segment of a chain takes.
+    pub(super) fn smooth<'a>(&mut self, chain: &'a Chain, choice: &Choice, keeps_size: bool) -> Option<Route<'a>> {
         let at = chain.at();
-        if choice.method != MethodName::Spectral {
-            return Some(Box::new(self.fixed(chain, choice, keeps_size)?));
+        if goes_straight(chain, choice) {
+            return Some(Route::Straight);
         }
         let strand = self.strand(chain, choice, keeps_size, at, at..=at + 1)?;
+        if choice.method != MethodName::Spectral {
+            return Some(Route::Fixed(strand));
+        }
         let whole = self.rest(chain, at, choice)?;
         let third = chain.duration(at) / 3.0;
         let (first, first_rate) = self.passing_turn(chain, at, choice)?;
         let (last, last_rate) = self.passing_turn(chain, at + 1, choice)?;
         let middle = self.middle(chain, &whole, (&first, third * first_rate), (&last, third * last_rate))?;
-        let turns =
-            vec![(first, Power::Leaving(third * first_rate)), (middle, Power::Crossing), (last, Power::Arriving(third * last_rate))];
-        Some(Box::new(Carried::new(strand.modes_at_origin().as_ref(), turns, strand.passage(at), Drift::of(chain))))
-    }
-
-    /// A method whose modes do not turn.
-    pub(super) fn fixed(&mut self, chain: &Chain, choice: &Choice, keeps_size: bool) -> Option<Fixed> {
-        let at = chain.at();
-        let strand = self.strand(chain, choice, keeps_size, at, at..=at + 1)?;
-        let (basis, coefficients) = (strand.fixed_basis(), strand.passage(at));
-        Some(Fixed { agent_count: chain.agent_count(), basis, coefficients, drift: Drift::of(chain) })
+        let turns = vec![
+            (first, Power::Leaving(third * first_rate)),
+            (middle, Power::Crossing),
+            (last, Power::Arriving(third * last_rate)),
+        ];
+        Some(Route::Turning { strand, from: None, turns })
     }
 
     /// What the velocities at both ends lack to be the mean of the segment's and its neighbor's, meters a second; none at a stop.
@@ -63,8 +55,9 @@ impl Planner {
     }
 
     fn velocity_lack(&mut self, chain: &Chain, own: (Way, usize), other: (Way, usize), end: usize) -> Option<Vec<DVec2>> {
-        let own = self.velocities(chain, &own.0, own.1, end)?;
+        // The neighbor's pieces may be missing yet; the segment's own are not.
         let other = self.velocities(chain, &other.0, other.1, end)?;
+        let own = self.velocities(chain, &own.0, own.1, end)?;
         Some(own.into_iter().zip(other).map(|(own, other)| 0.5 * (other - own)).collect())
     }
 
@@ -101,45 +94,11 @@ pub(super) fn goes_straight(chain: &Chain, choice: &Choice) -> bool {
     choice.method == MethodName::Linear || chain.agent_count() < 2
 }
 
-/// Every agent on a cubic of its own.
-pub(super) fn straight(chain: &Chain) -> Cubic {
-    let (at, duration) = (chain.at(), chain.duration(chain.at()));
-    let part = |end: usize| {
-        let velocities = straight_velocities(chain, end).into_iter().map(|velocity| duration * velocity).collect();
-        (chain.formation(end).positions().to_vec(), velocities)
-    };
-    let ((start, leaving), (stop, arriving)) = (part(at), part(at + 1));
-    Cubic::new([start, leaving, stop, arriving])
-}
-
-fn straight_velocities(chain: &Chain, end: usize) -> Vec<DVec2> {
+/// How fast each agent passes keyframe `end` on a straight way, meters a second.
+pub(super) fn straight_velocities(chain: &Chain, end: usize) -> Vec<DVec2> {
     (0..chain.agent_count()).map(|agent| chain.velocity(end, |end| chain.formation(end).positions()[agent])).collect()
 }
 
 fn neighbor(way: Option<Way>) -> Way {
     way.expect("a segment that passes a keyframe has a neighbor there")
-}
-
-/// Coefficients on their way in modes that stay.
-pub(super) struct Fixed {
-    agent_count: usize,
-    /// None: every agent is its own mode.
-    basis: Option<Arc<Eigenbasis>>,
-    coefficients: Passage,
-    drift: Drift,
-}
-
-impl Transition for Fixed {
-    fn agent_count(&self) -> usize {
-        self.agent_count
-    }
-
-    fn evaluate_into(&self, ts: &[f64], out: &mut [DVec2]) {
-        let center_at = |t| self.drift.at(t);
-        let write = |ts: &[f64], columns: &mut [f64]| self.coefficients.write_columns(ts, columns);
-        match &self.basis {
-            Some(basis) => evaluate_modes(basis.modes(), center_at, ts, out, write),
-            None => evaluate_places(self.agent_count, center_at, ts, out, write),
-        }
-    }
 }

@@ -1,0 +1,82 @@
+//! What a segment of a chain takes, all pieces found: its path is only put together.
+
+use std::sync::Arc;
+
+use glam::DVec2;
+
+use super::Transition;
+use super::carried::{Carried, Power};
+use super::chain::Chain;
+use super::cubic::Cubic;
+use super::modal::{Drift, evaluate_modes, evaluate_places};
+use super::smooth::straight_velocities;
+use super::strand::Strand;
+use crate::spectral::{Eigenbasis, Passage, Planes, product};
+
+/// A way along a chain's segment.
+pub(super) enum Route<'a> {
+    /// By places alone.
+    Straight,
+    /// In modes that stay.
+    Fixed(Strand<'a>),
+    /// In modes that turn, starting turned back by `from`.
+    Turning { strand: Strand<'a>, from: Option<Arc<Planes>>, turns: Vec<(Arc<Planes>, Power)> },
+}
+
+impl Route<'_> {
+    /// The path; some products of matrices where modes turn.
+    pub(super) fn path(self, chain: &Chain) -> Box<dyn Transition> {
+        let at = chain.at();
+        match self {
+            Self::Straight => Box::new(straight(chain)),
+            Self::Fixed(strand) => Box::new(Fixed {
+                agent_count: chain.agent_count(),
+                basis: strand.fixed_basis(),
+                coefficients: strand.passage(at),
+                drift: Drift::of(chain),
+            }),
+            Self::Turning { strand, from, turns } => {
+                let mut modes = strand.modes_at_origin();
+                if let Some(from) = from {
+                    modes = product(from.matrix(-1.0).as_ref(), modes.as_ref());
+                }
+                Box::new(Carried::new(modes.as_ref(), turns, strand.passage(at), Drift::of(chain)))
+            }
+        }
+    }
+}
+
+/// Every agent on a cubic of its own.
+fn straight(chain: &Chain) -> Cubic {
+    let (at, duration) = (chain.at(), chain.duration(chain.at()));
+    let part = |end: usize| {
+        let velocities = straight_velocities(chain, end).into_iter().map(|velocity| duration * velocity).collect();
+        (chain.formation(end).positions().to_vec(), velocities)
+    };
+    let ((start, leaving), (stop, arriving)) = (part(at), part(at + 1));
+    Cubic::new([start, leaving, stop, arriving])
+}
+
+/// Coefficients on their way in modes that stay.
+struct Fixed {
+    agent_count: usize,
+    /// None: every agent is its own mode.
+    basis: Option<Arc<Eigenbasis>>,
+    coefficients: Passage,
+    drift: Drift,
+}
+
+impl Transition for Fixed {
+    fn agent_count(&self) -> usize {
+        self.agent_count
+    }
+
+    fn evaluate_into(&self, ts: &[f64], out: &mut [DVec2]) {
+        let center_at = |t| self.drift.at(t);
+        let write = |ts: &[f64], columns: &mut [f64]| self.coefficients.write_columns(ts, columns);
+        match &self.basis {
+            Some(basis) => evaluate_modes(basis.modes(), center_at, ts, out, write),
+            None => evaluate_places(self.agent_count, center_at, ts, out, write),
+        }
+    }
+}
