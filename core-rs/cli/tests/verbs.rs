@@ -52,6 +52,25 @@ fn motion_at_instants_answers_in_the_order_asked() {
 }
 
 #[test]
+fn a_join_in_place_of_the_scenes_runs_through_its_keyframes() {
+    let desk = Desk::new();
+    desk.put(
+        "line.json",
+        r#"{ "format": "eigenform", "version": 1, "segments": [{ "method": "linear" }, { "method": "linear" }], "keyframes": [
+            { "positions": [[0, 0]] }, { "time": 2, "positions": [[2, 0]] }, { "time": 4, "positions": [[6, 0]] }] }"#,
+    );
+    // (0.5 · (2 − 0) + 0.5 · (6 − 2)) m a segment of 2 s; a separate segment stands at its ends.
+    for (join, speed) in [("smooth", 1.5), ("product", 1.5), ("separate", 0.0)] {
+        let motion = parsed(&desk.answer(&["motion", "line.json", "--join", join, "--at", "1.999,2,2.001", "--json"]));
+        let x: Vec<f64> = (0..3).map(|k| number(&motion["positions"][k][0][0])).collect();
+        assert!((x[1] - 2.0).abs() < 1e-12);
+        for way in [x[1] - x[0], x[2] - x[1]] {
+            assert!((way / 0.001 - speed).abs() < 0.01, "{join}: {way} m in a millisecond");
+        }
+    }
+}
+
+#[test]
 fn measure_has_its_keys_and_numbers() {
     let desk = Desk::new();
     let report = parsed(&desk.answer(&["measure", "show.json", "--minimum-distance", "1.5", "--json"]));

@@ -17,8 +17,8 @@ pub(crate) struct Beside<'a> {
     pub(crate) coefficients: &'a [DVec2],
     /// The common turn from the earlier to the later, radians.
     pub(crate) turn: f64,
-    /// From the one to the other, in the unit of time that velocities are in.
-    pub(crate) duration: f64,
+    /// How many times itself a radius may lose on the way from the one to the other, in the unit of time that velocities are in.
+    pub(crate) steepest: f64,
 }
 
 /// The velocity with which coefficients pass a keyframe; for each mode that of its radius and its angle.
@@ -39,14 +39,16 @@ struct ModePassing {
 
 impl Passing {
     /// Past `here`, from the keyframe before and to the one after, in the same modes; none at a stop. The velocity is
-    /// `pace[0]` times the way from the one before plus `pace[1]` times the way to the one after; that of a radius is held back so far
-    /// that no cubic on either side falls below 0 (its control points do not). A cubic cut off at 0 would be a kink.
+    /// `pace[0]` times the way from the one before plus `pace[1]` times the way to the one after; that of a radius is held to the
+    /// steepest allowed: at three times the radius over the duration no control point of a cubic is below 0, and none is cut off there,
+    /// which would be a kink.
     pub(crate) fn new(before: Option<Beside<'_>>, here: &[DVec2], after: Option<Beside<'_>>, pace: [f64; 2]) -> Self {
         let greatest_with = |beside: &Option<Beside<'_>>| greatest_radius(here.iter().chain(beside.map_or(&[][..], |b| b.coefficients)));
         let greatest = [greatest_with(&before), greatest_with(&after)];
         let tiny = TINY_RADIUS * greatest[0].max(greatest[1]);
-        let [slowest, fastest] = [after, before].map(|beside| beside.map_or(f64::INFINITY, |b| 3.0 / b.duration));
-        let held = |velocity: f64, radius: f64| velocity.clamp(-slowest * radius, fastest * radius);
+        let [falls, rises] = [after, before].map(|beside| beside.map_or(f64::INFINITY, |b| b.steepest));
+        // Nothing times no limit is no number, and no limit to max and min.
+        let held = |velocity: f64, radius: f64| velocity.max(-falls * radius).min(rises * radius);
         let modes = here.iter().enumerate().map(|(mode, at)| {
             let radius = at.length();
             let mut passing = ModePassing { radius, radius_velocity: 0.0, angle_velocity: 0.0 };
@@ -125,17 +127,17 @@ impl Passage {
         assert_eq!(columns.len(), 2 * self.curves.len() * ts.len(), "two columns for every t");
         for (t, columns) in ts.iter().zip(columns.chunks_exact_mut((2 * self.curves.len()).max(1))) {
             let weights = cubic_weights(*t);
-            let size = self.sizes.map(|sizes| mix(weights, sizes));
+            let size = self.sizes.map(|sizes| mix(weights, sizes).max(0.0));
             write_pair(self.curves.iter().map(|curve| curve.at(weights)), size, columns);
         }
     }
 }
 
 impl Curve {
-    /// Residuals fade without changing a velocity.
+    /// A radius never falls below 0; residuals fade without changing a velocity.
     fn at(&self, weights: [f64; 4]) -> DVec2 {
         let [from, to] = self.residuals;
-        mix(weights, self.radius) * DVec2::from_angle(mix(weights, self.angle)) + weights[0] * from + weights[2] * to
+        mix(weights, self.radius).max(0.0) * DVec2::from_angle(mix(weights, self.angle)) + weights[0] * from + weights[2] * to
     }
 }
 

@@ -129,6 +129,12 @@ impl Chain {
         self.durations[pair]
     }
 
+    /// How many times itself a second a radius may lose on the way from keyframe `pair` to the next: three times what would take it
+    /// to 0 evenly keeps a cubic above. The paper's formula knows no limit.
+    pub(super) fn steepest(&self, pair: usize) -> f64 {
+        if self.join == Join::Product { f64::INFINITY } else { 3.0 / self.durations[pair] }
+    }
+
     pub(super) fn formation(&self, end: usize) -> &Formation {
         &self.ends[end].formation
     }

@@ -30,11 +30,8 @@ impl Planner {
         let (first, first_rate) = self.passing_turn(chain, at, choice)?;
         let (last, last_rate) = self.passing_turn(chain, at + 1, choice)?;
         let middle = self.middle(chain, &whole, (&first, third * first_rate), (&last, third * last_rate))?;
-        let turns = vec![
-            (first, Power::Leaving(third * first_rate)),
-            (middle, Power::Crossing),
-            (last, Power::Arriving(third * last_rate)),
-        ];
+        let turns =
+            vec![(first, Power::Leaving(third * first_rate)), (middle, Power::Crossing), (last, Power::Arriving(third * last_rate))];
         Some(Route::Turning { strand, from: None, turns })
     }
 

@@ -110,7 +110,7 @@ impl Strand<'_> {
         let around = self.chain.around(end);
         let before = (*around.start() < end).then(|| self.coefficients(end - 1));
         let after = (*around.end() > end).then(|| self.coefficients(end + 1));
-        let beside = |coefficients, pair| Beside { coefficients, turn: self.turn(pair), duration: self.chain.duration(pair) };
+        let beside = |coefficients, pair| Beside { coefficients, turn: self.turn(pair), steepest: self.chain.steepest(pair) };
         let before = before.as_deref().map(|coefficients| beside(coefficients, end - 1));
         let after = after.as_deref().map(|coefficients| beside(coefficients, end));
         Passing::new(before, &self.coefficients(end), after, self.chain.pace(end))

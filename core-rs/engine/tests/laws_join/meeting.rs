@@ -113,7 +113,10 @@ fn no_answer_is_nan_and_every_join_is_exact() {
     for formations in degenerate().into_iter().chain([symmetric(), generic(12)]) {
         for join in [Join::Separate, Join::Smooth, Join::Product] {
             for choice in choices() {
-                check_ends(&format!("{} agents, {join:?}, {choice:?}", formations[0].len()), &show(&formations, join, choice));
+                let mut scene = show(&formations, join, choice);
+                check_ends(&format!("{} agents, {join:?}, {choice:?}", formations[0].len()), &scene);
+                (0..3).for_each(|index| spec(&mut scene, index).keep_size = true);
+                check_ends(&format!("{} agents keep their size, {join:?}, {choice:?}", formations[0].len()), &scene);
             }
         }
     }

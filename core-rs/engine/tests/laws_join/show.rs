@@ -106,6 +106,7 @@ pub fn degenerate() -> Vec<Vec<Vec<DVec2>>> {
         vec![vec![here], vec![-here], vec![DVec2::ZERO], vec![here]],
         vec![vec![here, -here], vec![-here, here], vec![here, -here], vec![here, DVec2::ZERO]],
         vec![scattered(7, 1), vec![here; 7], vec![-here; 7], scattered(7, 2)],
+        vec![vec![here; 7], scattered(7, 1), scattered(7, 2), vec![DVec2::ZERO; 7]],
         vec![twins.clone(), scattered(7, 3), twins, scattered(7, 3)],
         vec![grid(3, 3); 4],
         (0..4).map(|k| turned(&grid(3, 3), std::f64::consts::PI * f64::from(k))).collect(),
