@@ -11,8 +11,8 @@ export interface Pace {
   readonly isSparing: boolean;
 }
 
-/** Spares from the moment that drawing falls behind until playing rests. */
-export function createPace(): Pace {
+/** Spares from the moment that frames take longer than `slow` seconds until playing rests. */
+export function createPace(slow = SLOW): Pace {
   let average = 0;
   let isSparing = false;
   return {
@@ -23,7 +23,7 @@ export function createPace(): Pace {
         return;
       }
       average += (elapsed - average) * WEIGHT;
-      if (average > SLOW) isSparing = true;
+      if (average > slow) isSparing = true;
     },
     get isSparing() {
       return isSparing;

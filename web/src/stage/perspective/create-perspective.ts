@@ -9,6 +9,7 @@ import { castOf } from "../cast";
 import { onDensityChange } from "../density";
 import { arrivals } from "../later";
 import { createLoop } from "../loop";
+import { createPace } from "../pace";
 import type { Lens, View } from "../view";
 import { watchPalette } from "../watch-palette";
 import type { BodyKind } from "./bodies";
@@ -19,6 +20,9 @@ import { attachPointer } from "./pointer";
 import { bodySizes } from "./sizes";
 import type { Steering } from "./steering";
 import { createWorld, type WorldNeeds, type WorldPicture } from "./world";
+
+/** Frames longer than this, seconds, are drawn coarser while the show plays. */
+const COARSE_FROM = 1 / 22;
 
 /** What a press does to the selection. */
 export type PickWay = "replace" | "add" | "toggle";
@@ -58,7 +62,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
   const picture: WorldPicture = {
     show: show.peek(),
     time: 0,
-    isPlaying: false,
+    isSparing: false,
     stage: scene.peek().stage,
     obstacles: [],
     kind: inputs.bodies.peek(),
@@ -85,7 +89,9 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
   const finger = createFinger();
   const needs: WorldNeeds = { ground: true, cast: true, poses: true };
 
+  const pace = createPace(COARSE_FROM);
   const loop = createLoop((elapsed) => {
+    pace.note(elapsed);
     if (playback.isPlaying.peek()) playback.tick(elapsed);
     draw();
     return playback.isPlaying.peek();
@@ -102,7 +108,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     if (!palette || !who || view.size.peek().width === 0) return;
     picture.show = show.peek();
     picture.time = playback.time.peek();
-    picture.isPlaying = playback.isPlaying.peek();
+    picture.isSparing = playback.isPlaying.peek() && pace.isSparing;
     picture.kind = inputs.bodies.peek();
     picture.sizes = sizes.peek();
     picture.hasTrails = view.layers.peek().trails;

@@ -10,7 +10,7 @@ const DENSEST = 2;
 const LARGEST_TEXTURE = 3072;
 const SHARPEST = 8;
 
-/** Without a graphics card smooth edges cost every other frame: playing does without, at rest all is drawn finer. */
+/** Without a graphics card edges are smoothed by drawing finer, which can be left off from one frame to the next. */
 const FINER = 2;
 
 /** Names of what draws on the processor. */
@@ -32,7 +32,8 @@ export interface Device {
   readonly sharpness: number;
   clearTo(color: Color): void;
   resize(size: Size): void;
-  draw(space: Scene, sight: Sight, orbit: Orbit, isPlaying: boolean): void;
+  /** Sparing, a pixel of the canvas is one of the page, whatever the screen has. */
+  draw(space: Scene, sight: Sight, orbit: Orbit, isSparing: boolean): void;
   dispose(): void;
 }
 
@@ -70,8 +71,8 @@ export function createDevice(host: HTMLElement, onLost: () => void): Device {
       renderer.setSize(width, height, false);
       camera.aspect = width / Math.max(height, 1);
     },
-    draw(space, sight, orbit, isPlaying) {
-      const wanted = isCard ? density : isPlaying ? 1 : FINER;
+    draw(space, sight, orbit, isSparing) {
+      const wanted = isSparing ? 1 : isCard ? density : FINER;
       // Even the same once more would make the canvas anew.
       if (wanted !== fineness) renderer.setPixelRatio(wanted);
       fineness = wanted;

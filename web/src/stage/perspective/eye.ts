@@ -6,7 +6,7 @@ import { contentOf, sheetOf } from "../sheet";
 import { clamp } from "../spacing";
 import type { View } from "../view";
 import { createFlight } from "./flight";
-import { nearer, type Orbit, type Reach, slid, turned } from "./orbit";
+import { areSame, nearer, type Orbit, type Reach, slid, turned } from "./orbit";
 import { Sight } from "./sight";
 import type { BodySizes } from "./sizes";
 import { audienceSeat, type Box, overPlan, overview } from "./viewpoints";
@@ -64,8 +64,8 @@ export function createEye(
     return sight;
   }
 
-  function place(next: Orbit): void {
-    isFitted = false;
+  function place(next: Orbit, isWhole = false): void {
+    isFitted = isWhole;
     flight.stop();
     orbit.value = next;
   }
@@ -76,14 +76,16 @@ export function createEye(
   }
 
   let lastSize = size.peek();
+  let goal = orbit.peek();
   const stopFollowing = effect(() => {
-    if (size.value === lastSize) return;
+    const whole = overview(box.value, size.value);
+    const isResized = size.value !== lastSize;
     lastSize = size.value;
-    if (!isFitted) return;
-    flight.stop();
-    orbit.value = overview(box.peek(), size.value);
+    if (!isFitted || areSame(whole, goal)) return;
+    goal = whole;
+    if (!isResized) flight.to(whole);
+    else place(whole, true);
   });
-  showAll();
 
   return {
     orbit,

@@ -2,9 +2,11 @@ import type { Size } from "../camera";
 import type { Cast } from "../cast";
 import { drawPill } from "../layers/pill";
 import type { Palette } from "../palette";
-import { FEW_SELECTED } from "../subject";
 import type { Meetable } from "./finger";
 import type { Sight } from "./sight";
+
+/** Seen from the side, more names than this cover one another. */
+const MOST_NAMES = 12;
 
 /** Pixels between a head and its name. */
 const GAP = 14;
@@ -19,7 +21,7 @@ export interface NamesLook {
 
 /** Whether anybody's name is shown. */
 export function hasNames(hovered: number | null, selected: ReadonlySet<number>): boolean {
-  return hovered !== null || (selected.size > 0 && selected.size <= FEW_SELECTED);
+  return hovered !== null || (selected.size > 0 && selected.size <= MOST_NAMES);
 }
 
 const at = new Float32Array(3);
@@ -33,7 +35,7 @@ export function drawNames(
   selected: ReadonlySet<number>,
 ): void {
   context.clearRect(0, 0, size.width, size.height);
-  if (selected.size <= FEW_SELECTED) {
+  if (selected.size <= MOST_NAMES) {
     for (const agent of selected) if (agent !== hovered) drawName(context, look, agent);
   }
   if (hovered !== null) drawName(context, look, hovered);

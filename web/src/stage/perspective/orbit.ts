@@ -70,6 +70,11 @@ export function between(from: Orbit, to: Orbit, t: number): Orbit {
   };
 }
 
+/** Whether two orbits see the same. */
+export function areSame(one: Orbit, other: Orbit): boolean {
+  return (Object.keys(one) as (keyof Orbit)[]).every((key) => one[key] === other[key]);
+}
+
 /** The same direction within half a turn either way. */
 export function shortestTurn(angle: number): number {
   return angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));

@@ -24,7 +24,8 @@ import type { BodySizes } from "./sizes";
 export interface WorldPicture {
   show: Show;
   time: number;
-  isPlaying: boolean;
+  /** Drawing does not keep up with playing. */
+  isSparing: boolean;
   stage: Stage;
   obstacles: readonly Obstacle[];
   kind: BodyKind;
@@ -137,7 +138,7 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
         crowd.choose(picture.selected);
       }
       if (needs.poses || isNew) pose();
-      device.draw(space, sight, picture.orbit, picture.isPlaying);
+      device.draw(space, sight, picture.orbit, picture.isSparing);
       const { hovered, selected } = picture;
       const areNamed = hasNames(hovered, selected);
       // An empty sheet laid over the other would cost every frame.
