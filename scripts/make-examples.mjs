@@ -6,6 +6,7 @@ import { fieldShow } from "./examples/field-show.mjs";
 import { gridToRing, threeBlocks } from "./examples/figures.mjs";
 import { flower } from "./examples/flower.mjs";
 import { starToRings } from "./examples/large.mjs";
+import { marchText, marchTimes } from "./examples/march.mjs";
 import {
   aligned,
   clusters,
@@ -55,6 +56,13 @@ main(async () => {
       previews[id] = previewOf(scene, motionOf(file, sampleTimes(scene, cover)));
     });
   }
+  await step("march", () => {
+    // Recorded is the band's show, as somebody in the stands would have filmed it.
+    const scene = EXAMPLES.band.make();
+    const motion = motionOf(`${folder}/band.eigenform.json`, marchTimes(scene));
+    writeFileSync(`${folder}/march.txt`, marchText(motion));
+    previews.march = previews.band;
+  });
   writeFileSync(`${folder}/previews.json`, `${JSON.stringify(previews, null, 1)}\n`);
 });
 

@@ -74,7 +74,7 @@ const toolbox = createToolbox({
   warn: (title, text) => messages.say({ tone: "problem", title, text }),
 });
 
-const intake = createIntake({ engine, document: store, messages, onOpened: showFromStart });
+const intake = createIntake({ engine, document: store, messages, aside, onOpened: showFromStart });
 
 function showFromStart(): void {
   playback.pause();

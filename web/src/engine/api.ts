@@ -37,6 +37,18 @@ export interface LinkReport {
   readonly brokenKeyframes: readonly number[];
 }
 
+/** A motion recorded elsewhere, as the engine read it. */
+export interface RecordingData {
+  /** Frames a second. */
+  readonly frameRate: number;
+  /** Names of the agents, as the file calls them. */
+  readonly agents: readonly string[];
+  /** What was made of the file that it does not say itself. */
+  readonly notes: readonly string[];
+  /** Meters: x, y of every agent, frame by frame; NaN while an agent is absent. */
+  readonly xy: Float32Array;
+}
+
 /** A tie of one keyframe as drawn: factor 1 is a proposed one. */
 export interface TieList {
   /** a0, b0, a1, b1, … with a < b */
@@ -137,6 +149,8 @@ export interface GroupingWay {
 export interface Engine {
   /** Any text: scene JSON, keyframe CSV or link. */
   open(text: string): Promise<Opened>;
+  /** A motion CSV, or the text format of JuPedSim. */
+  openRecording(text: string): Promise<RecordingData>;
   writeScene(scene: Scene): Promise<string>;
   writeKeyframes(scene: Scene): Promise<{ readonly text: string; readonly notes: readonly string[] }>;
   writeMotion(scene: Scene, format: "csv" | "json"): Promise<string>;

@@ -39,6 +39,7 @@ export function createEngine(crew: Crew): Engine {
       const opened = await ask(crew, "open", () => ({ text }));
       return { scene: sceneFrom(opened.scene), source: opened.source, notes: opened.notes };
     },
+    openRecording: (text) => ask(crew, "openRecording", () => ({ text })),
     writeScene: (scene: Scene) => ask(crew, "writeScene", (link) => ({ scene: link.ledger.message(scene) })),
     writeKeyframes: (scene: Scene) => ask(crew, "writeKeyframes", (link) => ({ scene: link.ledger.message(scene) })),
     writeMotion: (scene: Scene, format) =>

@@ -1,5 +1,5 @@
 import type { Choice } from "../document/scene";
-import type { EngineProblem, GroupingWay, LinkReport, SegmentReport } from "./api";
+import type { EngineProblem, GroupingWay, LinkReport, RecordingData, SegmentReport } from "./api";
 
 /**
  * A scene as it crosses to a worker: formations once each, by number; all else as JSON text, only when it changed.
@@ -35,6 +35,7 @@ export interface GroupingRequest {
 /** Every question to a worker and its answer. */
 export interface Calls {
   open: { ask: { readonly text: string }; answer: OpenedMessage };
+  openRecording: { ask: { readonly text: string }; answer: RecordingData };
   writeScene: { ask: { readonly scene: SceneMessage }; answer: string };
   writeKeyframes: { ask: { readonly scene: SceneMessage }; answer: { text: string; notes: string[] } };
   writeMotion: { ask: { readonly scene: SceneMessage; readonly format: "csv" | "json" }; answer: string };

@@ -1,4 +1,4 @@
-import type { EngineProblem, SegmentReport } from "./api";
+import type { EngineProblem, RecordingData, SegmentReport } from "./api";
 import init, { Engine } from "./pkg/engine.js";
 import type { Answer, CallName, Calls, OpenedMessage, PlanRequest, Question, SceneMessage } from "./protocol";
 
@@ -29,6 +29,10 @@ type Handlers = { [Name in CallName]: (ask: Calls[Name]["ask"], to: Engine, id: 
 
 const handlers: Handlers = {
   open: ({ text }, to) => JSON.parse(to.open(text)) as OpenedMessage,
+  openRecording: ({ text }, to) => {
+    const head = JSON.parse(to.open_recording(text)) as Omit<RecordingData, "xy">;
+    return { ...head, xy: to.recording_positions() };
+  },
   writeScene: ({ scene }, to) => {
     take(scene, to);
     return to.write_scene();

@@ -7,7 +7,7 @@ import type { Messages } from "../panels/messages";
 import { withChosen } from "./chosen";
 import { download, fileName } from "./download";
 import { pickFile } from "./drop";
-import { readExample } from "./examples";
+import { readExample, readRecording } from "./examples";
 import { type Intake, problemFrom, sentence } from "./intake";
 
 /** What is done with a scene as a whole when somebody asks: fetched then. */
@@ -59,8 +59,9 @@ export function createDesk({ document, engine, planner, messages, intake, addres
       sceneToShare,
       loadExamples: async () => (await import("./gallery")).EXAMPLES,
       loadPreviews: async () => (await import("./gallery")).loadPreviews(),
-      async openExample({ id, title }) {
+      async openExample({ id, title, view }) {
         try {
+          if (view?.kind === "recording") return await intake.openText(await readRecording(id), title);
           const opened = await intake.read(await readExample(id), title);
           if (!opened) return false;
           openScene(document, opened.scene, `Open ${title}`);

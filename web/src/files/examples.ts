@@ -12,3 +12,10 @@ export async function readExample(id: string): Promise<string> {
   if (!response.ok) throw new Error(`The example could not be fetched (${response.status}).`);
   return response.text();
 }
+
+/** The text of an example's recording. */
+export async function readRecording(id: string): Promise<string> {
+  const response = await fetch(`./examples/${id}.txt`);
+  if (!response.ok) throw new Error(`The recording could not be fetched (${response.status}).`);
+  return response.text();
+}

@@ -51,6 +51,15 @@ export const EXAMPLES: readonly ExampleCard[] = [
     keyframeCount: 3,
   },
   {
+    id: "march",
+    section: "The paper's figures",
+    title: "A march, recorded",
+    description: "Figure 1: pick frames of a recording, and have a new motion made of them",
+    agentCount: 25,
+    keyframeCount: 0,
+    view: { kind: "recording" },
+  },
+  {
     id: "six-modes",
     section: "The paper's figures",
     title: "Six and their modes",

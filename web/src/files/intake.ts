@@ -1,7 +1,9 @@
+import type { Signal } from "@preact/signals";
 import { openScene } from "../document/open-scene";
 import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { type Engine, EngineError, type EngineProblem, type Opened } from "../engine/api";
+import type { Aside } from "../panels/aside";
 import type { Messages } from "../panels/messages";
 
 /** Larger files are refused before they are read; the engine has the same limit. */
@@ -20,6 +22,7 @@ export interface IntakeParts {
   readonly engine: Engine;
   readonly document: DocumentStore;
   readonly messages: Messages;
+  readonly aside: Signal<Aside | null>;
   /** The scene was replaced: show all of it from its start. */
   onOpened(): void;
 }
@@ -40,7 +43,10 @@ export function problemFrom(error: unknown): EngineProblem {
   return { code: "unexpected", what: error instanceof Error ? error.message : String(error), where: "" };
 }
 
-export function createIntake({ engine, document, messages, onOpened }: IntakeParts): Intake {
+/** How the engine refuses a motion where a scene is wanted. */
+const IS_RECORDING = "recording";
+
+export function createIntake({ engine, document, messages, aside, onOpened }: IntakeParts): Intake {
   function refuse(name: string, problem: EngineProblem): void {
     messages.say({
       tone: "problem",
@@ -58,9 +64,28 @@ export function createIntake({ engine, document, messages, onOpened }: IntakePar
     }
   }
 
+  async function openRecorded(text: string, name: string): Promise<boolean> {
+    try {
+      const recorded = await engine.openRecording(text);
+      (await import("../panels/recording/state")).openRecording(name, recorded);
+      aside.value = { kind: "recording" };
+      return true;
+    } catch (error) {
+      refuse(name, problemFrom(error));
+      return false;
+    }
+  }
+
   async function openText(text: string, name: string): Promise<boolean> {
-    const opened = await read(text, name);
-    if (!opened) return false;
+    let opened: Opened;
+    try {
+      opened = await engine.open(text);
+    } catch (error) {
+      const problem = problemFrom(error);
+      if (problem.code === IS_RECORDING) return openRecorded(text, name);
+      refuse(name, problem);
+      return false;
+    }
     openScene(document, titled(opened, name), `Open ${name}`);
     onOpened();
     const notes = opened.notes.join(" ");

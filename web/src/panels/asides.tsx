@@ -3,12 +3,18 @@ import { useStudio } from "./studio";
 
 const ModesPanel = lazily(() => import("./modes/modes-panel").then((part) => part.ModesPanel));
 const ModesOverlay = lazily(() => import("./modes/modes-overlay").then((part) => part.ModesOverlay));
+const RecordingPanel = lazily(() => import("./recording/recording-panel").then((part) => part.RecordingPanel));
+const RecordingOverlay = lazily(() => import("./recording/recording-overlay").then((part) => part.RecordingOverlay));
 
 /** What is open beside the show: over the drawing and below the pills that float there, or in the inspector's place. */
 export function Asides({ place }: { place: "stage" | "side" }) {
   switch (useStudio().aside.value?.kind) {
     case "modes":
       return place === "stage" ? <ModesOverlay /> : <ModesPanel />;
+    case "recording":
+      return place === "stage" ? <RecordingOverlay /> : <RecordingPanel />;
+    case "original":
+      return place === "stage" ? <RecordingOverlay /> : null;
     default:
       return null;
   }

@@ -217,9 +217,11 @@ test("places for more agents than there are selected are refused with the reason
   expect(messages.shown.value[0]?.text).toContain("2 places were copied for 4 agents");
 });
 
-test("modes open beside the show, and comparing waits for a transition", () => {
+test("modes and a recording open beside the show, and comparing waits for a transition", () => {
   run("modes");
   expect(aside.value).toEqual({ kind: "modes" });
+  run("recording");
+  expect(aside.value).toEqual({ kind: "recording" });
   expect(actions.get("compare").isEnabled?.value).toBe(false);
   run("add-keyframe");
   expect(actions.get("compare").isEnabled?.value).toBe(true);

@@ -1,6 +1,7 @@
 import { computed } from "@preact/signals";
 import { mainTrack } from "../document/scene";
 import type { Action, Actions } from "./actions";
+import type { Aside } from "./aside";
 import type { ActionParts, Doing, Doings } from "./doing";
 import type { HandiworkId } from "./handiwork";
 import { historyActions } from "./history-actions";
@@ -12,16 +13,18 @@ import { viewActions } from "./view-actions";
 /** Every action of the page: the words and keys of the table with what they do. */
 export function createActions(parts: ActionParts, handiwork: LaterHandiwork): Actions {
   const { files, aside, document } = parts;
+  const look = (kind: Aside["kind"]): Doing => ({
+    run() {
+      aside.value = { kind };
+    },
+  });
   const doings: Doings<ActionId> = {
     ...viewActions(parts),
     ...showActions(parts),
     ...historyActions(parts),
     ...handiworkDoings(handiwork),
-    modes: {
-      run() {
-        aside.value = { kind: "modes" };
-      },
-    },
+    modes: look("modes"),
+    recording: look("recording"),
     compare: {
       isEnabled: computed(() => mainTrack(document.scene.value).segments.length > 0),
       run: files.compare,

@@ -78,6 +78,7 @@ export const SHORTCUTS = {
   "show-groups": { section: "View", label: "Show groups" },
   "show-names": { section: "View", label: "Show names" },
   modes: { section: "View", label: "Modes" },
+  recording: { section: "View", label: "Recording" },
   theme: { section: "View", label: "Light or dark" },
 
   new: { section: "File", label: "New" },

@@ -3,11 +3,21 @@ import { X } from "lucide";
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef } from "preact/hooks";
 import { Icon } from "../theme/icons";
+import type { Aside } from "./aside";
 import { useStudio } from "./studio";
 
 /** A region that takes the inspector's place until it is closed; on a phone a sheet. The focus comes with it and goes back. */
-export function SidePanel(props: { name: string; title: ComponentChildren; children: ComponentChildren }) {
+export function SidePanel(props: {
+  name: string;
+  title: ComponentChildren;
+  /** What stays when it is closed; absent: nothing. */
+  leaves?: Aside | null;
+  children: ComponentChildren;
+}) {
   const { aside } = useStudio();
+  const leave = () => {
+    aside.value = props.leaves ?? null;
+  };
   const close = useRef<HTMLButtonElement>(null);
   useEffect(() => {
     const before = document.activeElement;
@@ -23,7 +33,7 @@ export function SidePanel(props: { name: string; title: ComponentChildren; child
       onKeyDown={(event) => {
         if (event.key !== "Escape" || event.defaultPrevented) return;
         event.stopPropagation();
-        aside.value = null;
+        leave();
       }}
     >
       <header class="inspector-head">
@@ -34,9 +44,7 @@ export function SidePanel(props: { name: string; title: ComponentChildren; child
             type="button"
             class="icon-button side-panel-close"
             aria-label={`Close ${props.name}`}
-            onClick={() => {
-              aside.value = null;
-            }}
+            onClick={leave}
           >
             <Icon node={X} />
           </button>

@@ -18,7 +18,7 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
     const isOpen = await services.openExample(example);
     if (!isOpen || !view) return;
     if (view.kind === "compare") dialogs.show(view);
-    else {
+    if (view.kind === "modes") {
       document.selection.value = { kind: "transition", index: view.segment };
       aside.value = { kind: "modes" };
     }
@@ -48,7 +48,7 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
                   preview={(previews.kind === "here" && previews.value.get(example.id)) || null}
                   onOpen={() => void open(example)}
                 />
-                {example.view && (
+                {example.view && example.view.kind !== "recording" && (
                   <button
                     type="button"
                     class="button example-view"
@@ -67,7 +67,7 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
   );
 }
 
-const VIEW_WORDS: Readonly<Record<ExampleView["kind"], string>> = {
+const VIEW_WORDS: Readonly<Record<Exclude<ExampleView["kind"], "recording">, string>> = {
   compare: "Compare both ways",
   modes: "See its modes",
 };

@@ -8,7 +8,9 @@ export type ExampleView =
   /** Two of its transitions, which do the same in two ways. */
   | { readonly kind: "compare"; readonly segments: readonly [left: number, right: number] }
   /** The modes at both ends of one of its transitions. */
-  | { readonly kind: "modes"; readonly segment: number };
+  | { readonly kind: "modes"; readonly segment: number }
+  /** It is no scene yet but a recording to make one from. */
+  | { readonly kind: "recording" };
 
 /** An example as the gallery lists it; `id` names its file. */
 export interface ExampleCard {
