@@ -114,7 +114,7 @@ fn every_keyframe_is_exact_under_every_method_and_join() {
             for (k, keyframe) in keyframes().iter().enumerate() {
                 for segment in [k.checked_sub(1), (k < 3).then_some(k)].into_iter().flatten() {
                     let mut out = vec![DVec2::NAN; 18];
-                    show.segments()[segment].positions_into(&[SECONDS * k as f64], &mut out);
+                    show.segments()[segment].places_into(&[SECONDS * k as f64], &mut out, None);
                     let off = farthest(&out, keyframe);
                     assert!(off <= 1e-9 * 28.0, "{method:?} {join:?}: keyframe {k} missed by {off:e}");
                 }
@@ -327,7 +327,7 @@ proptest! {
         let extent = ends.iter().map(|end| Formation::new(end.clone()).extent()).fold(1.0, f64::max);
         for (time, end) in [(0.0, &ends[0]), (SECONDS, &ends[1])] {
             let mut out = vec![DVec2::NAN; 14];
-            show.segments()[0].positions_into(&[time], &mut out);
+            show.segments()[0].places_into(&[time], &mut out, None);
             prop_assert!(farthest(&out, end) <= 1e-9 * extent);
         }
         prop_assert!(show.positions_at(1.1).iter().all(|p| p.is_finite()));

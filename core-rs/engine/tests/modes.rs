@@ -29,7 +29,7 @@ fn a_formation_is_the_sum_of_its_modes() {
     let basis = Performer::default().eigenbasis(&scene, 0).expect("nine agents have modes");
     let center = formation.barycenter();
     for (agent, place) in formation.positions().iter().enumerate() {
-        let parts = basis.coefficients(formation).into_iter().zip(basis.modes().row(agent).iter()).map(|(c, e)| c * *e);
+        let parts = basis.coefficients(formation).into_iter().zip(basis.modes().row(agent).iter()).map(|(c, e)| c.truncate() * *e);
         let sum = parts.fold(center, |sum, part| sum + part);
         // Orthonormality of n modes to some n · eps, times the extent.
         assert!(sum.distance(*place) < 1e-13 * 9.0 * formation.extent(), "agent {agent}: {sum} for {place}");

@@ -45,7 +45,7 @@ fn keyframes_are_reached_exactly_and_held() {
     let performance = perform(&scene).expect("the show can be performed");
     for (time, keyframe) in [(0.0, 0), (0.5, 0), (3.0, 1), (3.7, 1), (4.0, 1), (6.0, 2), (99.0, 2)] {
         let expected = scene.main_track().keyframes[keyframe].positions.positions();
-        let largest = performance.positions_at(time).iter().zip(expected).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
+        let largest = performance.formation_at(time).positions().iter().zip(expected).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         assert!(largest <= 1e-9 * scene.main_track().keyframes[keyframe].positions.extent(), "{largest} at {time} s");
     }
 }
@@ -54,11 +54,11 @@ fn keyframes_are_reached_exactly_and_held() {
 fn frames_are_what_the_methods_say_at_their_times() {
     let performance = perform(&show()).expect("the show can be performed");
     let mut count = 0;
-    performance.for_each_frame(|frame, time, positions| {
+    performance.for_each_frame(|frame, time, places| {
         assert_eq!(frame, count);
         count += 1;
-        for (sampled, exact) in positions.iter().zip(performance.positions_at(time)) {
-            assert!(sampled.distance(exact) <= 1e-12 * 20.0, "frame {frame}: {sampled} and {exact}");
+        for (sampled, exact) in places.plan().iter().zip(performance.formation_at(time).positions()) {
+            assert!(sampled.distance(*exact) <= 1e-12 * 20.0, "frame {frame}: {sampled} and {exact}");
         }
     });
     assert_eq!(count, 61, "six seconds at ten frames a second, and the first");

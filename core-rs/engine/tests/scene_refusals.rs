@@ -159,11 +159,12 @@ fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
         (with_segment(r#""assignment": @"#), "segments[0].assignment", "null", r#"{ "cost": "squared" }"#),
         (with_segment(r#""crowd": @"#), "segments[0].crowd", "null", "{}"),
         (with_segment(r#""chosen": { "method": "@" }"#), "segments[0].chosen.method", "polar", "crowd"),
+        // The paper prints its product of powers for the plane.
         (
-            r#"{ "format": "eigenform", "version": 1, "keyframes": [{ "positions": [[0, 0@]] }] }"#.to_owned(),
-            "keyframes[0].positions",
-            "",
-            ", 1",
+            with(r#""join": "product","#).replace("[0, 1]", "[0, 1, @]").replace("[0, 0]", "[0, 0, 0]").replace("[1, 0]", "[1, 0, 0]"),
+            "join",
+            "0",
+            "1",
         ),
     ];
     for (text, place, default, other) in cases {

@@ -23,7 +23,8 @@ pub fn run(arguments: &Assign) -> Result<Vec<String>, Failure> {
     let source = input::formation(&scene, arguments.from, "--from")?;
     let target = input::formation(&scene, arguments.to, "--to")?;
     let assignment = squared(source, target);
-    let cost = assignment.total(|agent, slot| source.positions()[agent].distance_squared(target.positions()[slot]));
+    let (from, to) = (source.places(), target.places());
+    let cost = assignment.total(|agent, slot| from.at(agent).distance_squared(to.at(slot)));
     let report = Report { assignment: assignment.targets(), cost };
     let json = || serde_json::to_string(&report).expect("numbers are JSON");
     output::print(&if arguments.json { json() } else { lines(&report) })?;

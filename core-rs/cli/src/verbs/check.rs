@@ -15,6 +15,8 @@ pub fn run(arguments: &Check) -> Result<Vec<String>, Failure> {
     for keyframe in 0..track.keyframes.len() {
         performer.graph(&scene, keyframe)?;
     }
-    output::print(&format!("ok: {} agents, {} keyframes", track.agents.len(), track.keyframes.len()))?;
+    let is_in_space = track.keyframes.iter().any(|keyframe| keyframe.positions.heights().is_some());
+    let space = if is_in_space { ", 3D" } else { "" };
+    output::print(&format!("ok: {} agents, {} keyframes{space}", track.agents.len(), track.keyframes.len()))?;
     Ok(notes)
 }

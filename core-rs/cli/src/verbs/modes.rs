@@ -24,8 +24,8 @@ struct Report {
 struct Vectors {
     /// One unit mode an eigenvalue, one entry an agent.
     vectors: Vec<Vec<f64>>,
-    /// One (x, y) a mode, meters.
-    coefficients: Vec<[f64; 2]>,
+    /// One (x, y) a mode, meters; (x, y, z) of a formation with heights.
+    coefficients: Vec<Vec<f64>>,
 }
 
 pub fn run(arguments: &Modes) -> Result<Vec<String>, Failure> {
@@ -53,8 +53,9 @@ fn vectors(basis: &Eigenbasis, formation: &Formation) -> Vectors {
     let size = (agent_count as f64).sqrt();
     let constant = vec![1.0 / size; agent_count];
     let modes = basis.modes().col_iter().map(|mode| mode.iter().copied().collect());
-    let center = formation.barycenter() * size;
-    let coefficients = std::iter::once(center).chain(basis.coefficients(formation)).map(|c| c.to_array());
+    let center = formation.places().barycenter() * size;
+    let dimensions = if formation.heights().is_some() { 3 } else { 2 };
+    let coefficients = std::iter::once(center).chain(basis.coefficients(formation)).map(|c| c.to_array()[..dimensions].to_vec());
     Vectors { vectors: std::iter::once(constant).chain(modes).collect(), coefficients: coefficients.collect() }
 }
 

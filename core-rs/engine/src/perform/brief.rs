@@ -27,6 +27,8 @@ pub(super) struct Brief {
     beside: [Option<Asked>; 2],
     join: Join,
     tension: f64,
+    /// Whether somebody climbs anywhere in the show.
+    is_in_space: bool,
     /// Departure from the source, scene seconds.
     pub(super) start: f64,
     /// Arrival at the target.
@@ -107,6 +109,7 @@ impl Brief {
             beside: [before, after],
             join: scene.join,
             tension: scene.tension,
+            is_in_space: !track.keyframes.iter().all(|keyframe| keyframe.positions.places().is_level()),
             start: departure(&track.keyframes[index]),
             end: track.keyframes[index + 1].time,
             frame_rate: scene.frame_rate,
@@ -122,7 +125,8 @@ impl Brief {
     /// The segment among those keyframes; `ends`: one each.
     pub(super) fn chain(&self, ends: Vec<End>) -> Chain {
         let join = if ends.len() == 2 { Join::Separate } else { self.join };
-        Chain::new(ends, self.durations.clone(), self.at, join, self.tension)
+        let chain = Chain::new(ends, self.durations.clone(), self.at, join, self.tension);
+        if self.is_in_space { chain.in_space() } else { chain }
     }
 
     /// The segment before, itself and the one after, where they are known, each with the number of its source in the chain.
@@ -185,7 +189,7 @@ impl PartialEq for Brief {
     fn eq(&self, other: &Self) -> bool {
         let numbers = |brief: &Self| [brief.start, brief.end, brief.frame_rate, brief.minimum_distance];
         // Keyframes alone have no join.
-        let meets = |brief: &Self| (brief.keyframes.len() > 2).then_some((brief.join, brief.tension));
+        let meets = |brief: &Self| (brief.keyframes.len() > 2).then_some((brief.join, brief.tension, brief.is_in_space));
         self.keyframes == other.keyframes
             && Arc::ptr_eq(&self.groups, &other.groups)
             && self.at == other.at

@@ -30,10 +30,13 @@ impl Clock {
 
     /// The clock of equal speed along a path (paper A, section 5.3), known at [`path_parameters`]. Its speed is the root of the agents'
     /// mean squared speed, so that nobody's detour counts alone. Where nobody moves t is the fraction.
-    pub(super) fn even(agent_count: usize, positions: &[DVec2]) -> Self {
-        let samples: Vec<&[DVec2]> = positions.chunks_exact(agent_count.max(1)).collect();
-        let way = |pair: &[&[DVec2]]| pair[0].iter().zip(pair[1]).map(|(p, q)| p.distance_squared(*q)).sum::<f64>().sqrt();
-        let ways: Vec<f64> = samples.windows(2).map(way).collect();
+    pub(super) fn even(agent_count: usize, positions: &[DVec2], heights: Option<&[f64]>) -> Self {
+        let mut squares: Vec<f64> = squared_ways(agent_count, positions, DVec2::distance_squared);
+        if let Some(heights) = heights {
+            let rises = squared_ways(agent_count, heights, |from, to| (to - from).powi(2));
+            squares.iter_mut().zip(rises).for_each(|(square, rise)| *square += rise);
+        }
+        let ways: Vec<f64> = squares.into_iter().map(f64::sqrt).collect();
         Odometer::new(&ways).map_or(Self::Linear, Self::Even)
     }
 
@@ -48,6 +51,12 @@ impl Clock {
             Self::Even(odometer) => odometer.parameter(f),
         }
     }
+}
+
+/// From sample to sample, the sum over the agents of their squared ways.
+fn squared_ways<P: Copy>(agent_count: usize, places: &[P], square: impl Fn(P, P) -> f64) -> Vec<f64> {
+    let samples: Vec<&[P]> = places.chunks_exact(agent_count.max(1)).collect();
+    samples.windows(2).map(|pair| pair[0].iter().zip(pair[1]).map(|(from, to)| square(*from, *to)).sum()).collect()
 }
 
 /// The t at which an even clock wants to know the path.
@@ -138,7 +147,7 @@ mod tests {
         // Two agents on circles of one radius: the speed is that of the angle, 2t.
         let place = |t: f64| [DVec2::from_angle(2.0 * t * t), 5.0 + DVec2::from_angle(1.0 - 2.0 * t * t)];
         let positions: Vec<DVec2> = path_parameters().into_iter().flat_map(place).collect();
-        let clock = Clock::even(2, &positions);
+        let clock = Clock::even(2, &positions, None);
         for fraction in [0.0_f64, 0.1, 0.37, 0.5, 0.9, 1.0] {
             // The cubic in a piece of 1/128, with slopes good to its square.
             assert!((clock.parameter(fraction) - fraction.sqrt()).abs() < 2e-4, "{fraction}: {}", clock.parameter(fraction));
@@ -150,7 +159,7 @@ mod tests {
     fn an_even_clock_never_runs_backwards_and_leaps_over_a_rest() {
         let place = |t: f64| [DVec2::new((t - 0.3).min(0.0) + (t - 0.6).max(0.0), 0.0)];
         let positions: Vec<DVec2> = path_parameters().into_iter().flat_map(place).collect();
-        let clock = Clock::even(1, &positions);
+        let clock = Clock::even(1, &positions, None);
         let ts: Vec<f64> = (0..=1000).map(|k| clock.parameter(f64::from(k) / 1000.0)).collect();
         assert!(ts.is_sorted());
         assert!((clock.parameter(0.5) - 0.65).abs() < 0.01, "{}", clock.parameter(0.5));
@@ -158,7 +167,7 @@ mod tests {
 
     #[test]
     fn who_stands_still_has_a_clock() {
-        assert!((Clock::even(3, &vec![DVec2::ONE; 3 * (PIECES + 1)]).parameter(0.4) - 0.4).abs() < 1e-15);
-        assert!((Clock::even(0, &[]).parameter(0.4) - 0.4).abs() < 1e-15);
+        assert!((Clock::even(3, &vec![DVec2::ONE; 3 * (PIECES + 1)], None).parameter(0.4) - 0.4).abs() < 1e-15);
+        assert!((Clock::even(0, &[], None).parameter(0.4) - 0.4).abs() < 1e-15);
     }
 }

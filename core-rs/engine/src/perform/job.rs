@@ -111,7 +111,9 @@ impl SegmentJob {
         let result = Arc::new(result);
         let agent_count = result.motion.agent_count();
         let matrices = PLAN_MATRICES[usize::from(work.brief.stops() != [true, true])];
-        let bytes = size_of_val(result.motion.positions()) + matrices * agent_count * agent_count * size_of::<f64>();
+        let bytes = size_of_val(result.motion.positions())
+            + size_of_val(result.motion.heights().unwrap_or_default())
+            + matrices * agent_count * agent_count * size_of::<f64>();
         performer.performed.put(work.brief.clone(), result.clone(), bytes);
         performer.planner.tidy();
         self.0 = Phase::Done(result.clone());
@@ -131,7 +133,7 @@ impl Work {
                 if path.step() {
                     Stage::Clocking(plan, path)
                 } else {
-                    let clock = Clock::even(path.transition.agent_count(), &path.positions);
+                    let clock = Clock::even(path.transition.agent_count(), &path.positions, path.heights.as_deref());
                     self.set_off(plan, path.transition, clock)
                 }
             }
@@ -214,9 +216,10 @@ impl Work {
             let Some(done) = performer.planner.step(&plan.chain, &plan.ways) else { return Stage::Planning(plan) };
             done.into()
         };
+        let has_heights = plan.chain.has_heights();
         match self.known_clock() {
             Some(clock) => self.set_off(plan, transition, clock),
-            None => Stage::Clocking(plan, Sampling::new(transition, path_parameters())),
+            None => Stage::Clocking(plan, Sampling::new(transition, path_parameters(), has_heights)),
         }
     }
 
@@ -236,13 +239,14 @@ impl Work {
     fn set_off(&self, plan: Plan, transition: Arc<dyn Transition>, clock: Clock) -> Stage {
         let times = self.times();
         let ts = self.parameters(&clock, &times);
-        Stage::Moving(plan, clock, times, Sampling::new(transition, ts))
+        let has_heights = plan.chain.has_heights();
+        Stage::Moving(plan, clock, times, Sampling::new(transition, ts, has_heights))
     }
 
     fn finish(&self, plan: &Plan, clock: Clock, times: Vec<f64>, samples: Sampling) -> Performed {
         let (chain, brief) = (&plan.chain, &self.brief);
         let [source, target] = [&chain.ends()[chain.at()], &chain.ends()[chain.at() + 1]];
-        let motion = Motion::new(times, chain.agent_count(), samples.positions);
+        let motion = Motion::sampled(times, chain.agent_count(), samples.positions, samples.heights);
         let (measures, curves) = measure::measure(&motion, &samples.ts, [&source.adjacency, &target.adjacency], brief.minimum_distance);
         Performed {
             choice: plan.ways.own.choice,

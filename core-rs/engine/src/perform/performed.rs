@@ -64,9 +64,10 @@ impl Performed {
         Report { choice: self.choice, measures: &self.measures, candidates: &self.candidates }
     }
 
-    /// Positions at `times` (scene seconds within the segment), from the method itself: `out[k * agent_count + i]`.
-    pub fn positions_into(&self, times: &[f64], out: &mut [DVec2]) {
+    /// Places at `times` (scene seconds within the segment), from the method itself: `plan[k * agent_count + i]`, and so the heights
+    /// where they are asked for.
+    pub fn places_into(&self, times: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
         let ts: Vec<f64> = times.iter().map(|time| self.clock.parameter((time - self.start) / (self.end - self.start))).collect();
-        self.transition.evaluate_into(&ts, out);
+        self.transition.evaluate_into(&ts, plan, heights);
     }
 }

@@ -14,12 +14,14 @@ pub(super) struct Sampling {
     pub(super) transition: Arc<dyn Transition>,
     pub(super) ts: Vec<f64>,
     pub(super) positions: Vec<DVec2>,
+    /// None on the plane.
+    pub(super) heights: Option<Vec<f64>>,
 }
 
 impl Sampling {
-    /// At `ts`; nothing is known yet.
-    pub(super) fn new(transition: Arc<dyn Transition>, ts: Vec<f64>) -> Self {
-        Self { transition, ts, positions: Vec::new() }
+    /// At `ts`, with heights or without; nothing is known yet.
+    pub(super) fn new(transition: Arc<dyn Transition>, ts: Vec<f64>, has_heights: bool) -> Self {
+        Self { transition, ts, positions: Vec::new(), heights: has_heights.then(Vec::new) }
     }
 
     /// Evaluates some more samples; false when there were none left.
@@ -31,7 +33,11 @@ impl Sampling {
             return false;
         }
         self.positions.resize(next * agent_count, DVec2::ZERO);
-        self.transition.evaluate_into(&self.ts[done..next], &mut self.positions[done * agent_count..]);
+        let heights = self.heights.as_mut().map(|heights| {
+            heights.resize(next * agent_count, 0.0);
+            &mut heights[done * agent_count..]
+        });
+        self.transition.evaluate_into(&self.ts[done..next], &mut self.positions[done * agent_count..], heights);
         true
     }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use glam::DVec2;
 
 use super::performed::Performed;
+use crate::formation::{Formation, Places};
 use crate::scene::Scene;
 
 /// A scene with every segment performed.
@@ -36,17 +37,28 @@ impl Performance {
         &self.segments
     }
 
-    /// Positions at `time` (scene seconds), by agent, from the method itself. Before the first keyframe the agents stand in it,
-    /// after the last in that.
-    pub fn positions_at(&self, time: f64) -> Vec<DVec2> {
+    /// The formation at `time` (scene seconds), from the method itself. Before the first keyframe the agents stand in it, after the
+    /// last in that.
+    pub fn formation_at(&self, time: f64) -> Formation {
+        let keyframes = &self.scene.main_track().keyframes;
         match self.moment(time) {
-            Moment::Standing(keyframe) => self.scene.main_track().keyframes[keyframe].positions.positions().to_vec(),
+            Moment::Standing(keyframe) => (*keyframes[keyframe].positions).clone(),
             Moment::Moving(segment) => {
-                let mut out = vec![DVec2::ZERO; self.scene.main_track().agents.len()];
-                self.segments[segment].positions_into(&[time], &mut out);
-                out
+                let agent_count = self.scene.main_track().agents.len();
+                let mut plan = vec![DVec2::ZERO; agent_count];
+                let mut heights = keyframes[segment].positions.heights().map(|_| vec![0.0; agent_count]);
+                self.segments[segment].places_into(&[time], &mut plan, heights.as_deref_mut());
+                match heights {
+                    Some(heights) => Formation::spatial(plan, heights),
+                    None => Formation::new(plan),
+                }
             }
         }
+    }
+
+    /// Positions at `time` as seen from above; else as [`Self::formation_at`].
+    pub fn positions_at(&self, time: f64) -> Vec<DVec2> {
+        self.formation_at(time).positions().to_vec()
     }
 
     /// The time of every frame: f / frame rate up to the end of the last hold.
@@ -55,14 +67,14 @@ impl Performance {
         (0..self.scene.frame_count()).map(move |frame| frame as f64 / frame_rate)
     }
 
-    /// Visits every frame in order: its number, its time and the positions by agent. Frames in motion were sampled when the segment
+    /// Visits every frame in order: its number, its time and where everybody is. Frames in motion were sampled when the segment
     /// was performed, so nothing is evaluated again.
-    pub fn for_each_frame(&self, mut visit: impl FnMut(usize, f64, &[DVec2])) {
+    pub fn for_each_frame(&self, mut visit: impl FnMut(usize, f64, Places<'_>)) {
         let mut cursor = 0;
         let mut last_segment = usize::MAX;
         for (frame, time) in self.frame_times().enumerate() {
             match self.moment(time) {
-                Moment::Standing(keyframe) => visit(frame, time, self.scene.main_track().keyframes[keyframe].positions.positions()),
+                Moment::Standing(keyframe) => visit(frame, time, self.scene.main_track().keyframes[keyframe].positions.places()),
                 Moment::Moving(segment) => {
                     if segment != last_segment {
                         (cursor, last_segment) = (0, segment);
@@ -71,7 +83,7 @@ impl Performance {
                     while motion.times()[cursor] < time - FRAME_SLACK {
                         cursor += 1;
                     }
-                    visit(frame, time, motion.sample(cursor));
+                    visit(frame, time, motion.places(cursor));
                 }
             }
         }

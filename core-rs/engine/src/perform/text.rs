@@ -5,6 +5,7 @@ use std::fmt::Write;
 use glam::DVec2;
 
 use super::show::Performance;
+use crate::formation::Places;
 
 impl Performance {
     /// Motion CSV: `frame,time,agent,x,y,z`, a row a frame and agent; seconds, meters; z is 0 on the plane.
@@ -12,15 +13,16 @@ impl Performance {
     pub fn to_csv(&self) -> String {
         let ids: Vec<String> = self.scene().agent_ids().iter().map(|id| quoted(id)).collect();
         let mut text = String::from("frame,time,agent,x,y,z\n");
-        self.for_each_frame(|frame, time, positions| {
-            for (id, p) in ids.iter().zip(positions) {
-                writeln!(text, "{frame},{time},{id},{},{},0", p.x, p.y).expect("a string takes any text");
+        self.for_each_frame(|frame, time, places| {
+            for (id, p) in ids.iter().zip(places.iter()) {
+                writeln!(text, "{frame},{time},{id},{},{},{}", p.x, p.y, p.z).expect("a string takes any text");
             }
         });
         text
     }
 
-    /// Motion JSON: `{"times": […], "positions": [[[x, y], …], …]}`, one entry a frame; seconds, meters.
+    /// Motion JSON: `{"times": […], "positions": [[[x, y], …], …]}`, one entry a frame; seconds, meters. Places in a scene with
+    /// heights have three numbers.
     pub fn to_json(&self) -> String {
         let mut times = Vec::new();
         let mut positions = Vec::new();
@@ -33,7 +35,7 @@ impl Performance {
 
     /// The same JSON at chosen instants (scene seconds), in full precision from the methods themselves.
     pub fn to_json_at(&self, times: &[f64]) -> String {
-        let positions: Vec<String> = times.iter().map(|time| json_points(&self.positions_at(*time))).collect();
+        let positions: Vec<String> = times.iter().map(|time| json_points(self.formation_at(*time).places())).collect();
         json(times, &positions)
     }
 }
@@ -43,9 +45,12 @@ fn json(times: &[f64], positions: &[String]) -> String {
     format!("{{\"times\":{times},\"positions\":[{}]}}", positions.join(","))
 }
 
-fn json_points(at: &[DVec2]) -> String {
-    let points: Vec<[f64; 2]> = at.iter().map(DVec2::to_array).collect();
-    serde_json::to_string(&points).expect("numbers are JSON")
+fn json_points(at: Places<'_>) -> String {
+    match at.heights() {
+        None => serde_json::to_string(&at.plan().iter().map(DVec2::to_array).collect::<Vec<_>>()),
+        Some(_) => serde_json::to_string(&at.iter().map(|place| place.to_array()).collect::<Vec<_>>()),
+    }
+    .expect("numbers are JSON")
 }
 
 /// A CSV field: quoted where it must be.

@@ -90,9 +90,11 @@ impl Trial {
 
     fn judge(&self, transition: &dyn Transition) -> Score {
         let ts = auto::trial_parameters();
-        let mut positions = vec![DVec2::ZERO; ts.len() * transition.agent_count()];
-        transition.evaluate_into(&ts, &mut positions);
-        let motion = Motion::new(ts.clone(), transition.agent_count(), positions);
+        let count = ts.len() * transition.agent_count();
+        let mut positions = vec![DVec2::ZERO; count];
+        let mut heights = self.chain.has_heights().then(|| vec![0.0; count]);
+        transition.evaluate_into(&ts, &mut positions, heights.as_deref_mut());
+        let motion = Motion::sampled(ts.clone(), transition.agent_count(), positions, heights);
         let Question { source, target, minimum_distance, .. } = &self.question;
         measure::score(&motion, &ts, [&source.adjacency, &target.adjacency], *minimum_distance)
     }

@@ -6,13 +6,14 @@ use std::fmt::Display;
 
 use super::place::Place;
 use super::{Scene, Segment, TransitionSpec};
+use crate::choice::Join;
 use crate::error::Error;
 
 /// The first such value of a scene that is right otherwise.
 pub(super) fn check(scene: &Scene) -> Result<(), Error> {
     avoidance(scene)?;
     obstacles(scene)?;
-    space(scene)
+    product_in_space(scene)
 }
 
 fn avoidance(scene: &Scene) -> Result<(), Error> {
@@ -27,10 +28,14 @@ fn obstacles(scene: &Scene) -> Result<(), Error> {
     if scene.obstacles.is_empty() { Ok(()) } else { refuse("a list with entries", "[]", top.field("obstacles")) }
 }
 
-fn space(scene: &Scene) -> Result<(), Error> {
-    match scene.main_track().keyframes.iter().position(|keyframe| keyframe.positions.heights().is_some()) {
-        Some(index) => refuse("[x, y, z]", "[x, y]", Place::Top.field("keyframes").item(index).field("positions")),
-        None => Ok(()),
+/// The paper's product of powers is printed for the plane.
+fn product_in_space(scene: &Scene) -> Result<(), Error> {
+    let is_in_space = scene.main_track().keyframes.iter().any(|keyframe| !keyframe.positions.places().is_level());
+    match scene.join {
+        Join::Product if is_in_space => {
+            refuse("\"product\" of positions with different heights", "\"smooth\" or \"separate\"", Place::Top.field("join"))
+        }
+        _ => Ok(()),
     }
 }
 

@@ -8,7 +8,7 @@ use super::angle::{HALF_TURN_SNAP, wrap};
 pub(super) const TINY_RADIUS: f64 = 1e-7;
 
 /// Round-off of a coefficient, relative to the greatest radius: the angle of a small one is uncertain by this over its own radius.
-const ROUND_OFF: f64 = 1e-13;
+pub(super) const ROUND_OFF: f64 = 1e-13;
 
 /// One curve a mode in polar coordinates: radii linear, angles along the shorter way once the common turn is taken out
 /// (paper A, equation 4).

@@ -5,6 +5,7 @@
 //! then is turned to fit the source.
 
 use faer::Mat;
+use glam::DVec3;
 
 use super::eigenbasis::Eigenbasis;
 use super::polar_factor::polar_factor;
@@ -57,7 +58,7 @@ pub(crate) fn nearness(source: &Formation, target: &Formation) -> Mat<f64> {
 
 /// Distances over their mean, at least [`LEAST_DISTANCE`], above the diagonal.
 fn relative_distances(formation: &Formation) -> Mat<f64> {
-    let positions = formation.positions();
+    let positions: Vec<DVec3> = formation.places().iter().collect();
     let mut distances = Mat::zeros(positions.len(), positions.len());
     let mut sum = 0.0;
     for b in 0..positions.len() {

@@ -1,7 +1,7 @@
 //! The modes of one formation: the eigenvectors of its Laplacian.
 
 use faer::{Mat, MatRef};
-use glam::DVec2;
+use glam::DVec3;
 
 use crate::formation::Formation;
 use eigenform_dense::symmetric_eigen;
@@ -43,15 +43,14 @@ impl Eigenbasis {
         self.modes.as_ref()
     }
 
-    /// One row (α, β) a mode, meters, of the formation about its barycenter (paper A, equation 1).
+    /// One row (α, β, γ) a mode, meters, of the formation about its barycenter (paper A, equation 1); γ is 0 where it stands level.
     ///
     /// # Panics
     /// When they are not the same agents: a bug.
-    pub fn coefficients(&self, formation: &Formation) -> Vec<DVec2> {
-        let center = formation.barycenter();
-        let positions = formation.positions();
-        assert_eq!(positions.len(), self.agent_count(), "a basis is of its formation's agents");
-        self.modes.col_iter().map(|mode| positions.iter().zip(mode.iter()).map(|(p, e)| (*p - center) * *e).sum()).collect()
+    pub fn coefficients(&self, formation: &Formation) -> Vec<DVec3> {
+        let places = formation.places().about_barycenter();
+        assert_eq!(places.len(), self.agent_count(), "a basis is of its formation's agents");
+        self.modes.col_iter().map(|mode| places.iter().zip(mode.iter()).map(|(p, e)| *p * *e).sum()).collect()
     }
 
     pub(super) fn with_modes(&self, modes: Mat<f64>) -> Self {

@@ -1,7 +1,7 @@
 //! Two bases with every mode paired and every sign fixed, and the rotation between them taken apart.
 
 use faer::{Mat, MatRef};
-use glam::DVec2;
+use glam::DVec3;
 
 use super::matching::{EQUAL_LIKENESS, Pairing};
 use super::pair::Pair;
@@ -14,8 +14,8 @@ use eigenform_dense::{determinant, product};
 pub(crate) struct Matched {
     planes: Planes,
     modes_in_planes: Mat<f64>,
-    source_coefficients: Vec<DVec2>,
-    target_coefficients: Vec<DVec2>,
+    source_coefficients: Vec<DVec3>,
+    target_coefficients: Vec<DVec3>,
 }
 
 impl Matched {
@@ -62,8 +62,11 @@ impl Matched {
     /// The source in its modes turned by `fraction` of the rotation, and the target in the same share of the way back.
     ///
     /// With fraction ρ/2 only the power 1 − ρ remains between the two bases.
-    pub(crate) fn coefficients_shared(&self, fraction: f64) -> [Vec<DVec2>; 2] {
-        [self.planes.turned(&self.source_coefficients, -fraction), self.planes.turned(&self.target_coefficients, fraction)]
+    pub(crate) fn coefficients_shared(&self, fraction: f64) -> [Vec<DVec3>; 2] {
+        [
+            self.planes.turned_in_space(&self.source_coefficients, -fraction),
+            self.planes.turned_in_space(&self.target_coefficients, fraction),
+        ]
     }
 }
 

@@ -4,11 +4,12 @@
 //! It turns graphs and coefficients into plans; it knows nothing of methods, seconds or frames.
 //!
 //! The road: [`Eigenbasis`] of each end → [`Pair`] (ties between equal eigenvalues decided) → [`Pairing`] (which mode becomes
-//! which) → [`Matched`] (signs, rotation planes) → [`Coefficients`] between the ends.
+//! which) → [`Matched`] (signs, rotation planes) → [`Courses`] of the coefficients between the ends.
 
 mod alignment;
 mod angle;
 mod coefficients;
+mod courses;
 mod degenerate;
 mod eigenbasis;
 mod exponential;
@@ -23,12 +24,14 @@ mod planes;
 mod polar_factor;
 mod runs;
 mod signs;
+mod space;
+mod turn;
 
 pub use eigenbasis::Eigenbasis;
 pub use mode_match::ModeMatch;
 
 pub(crate) use alignment::turn_between;
-pub(crate) use coefficients::Coefficients;
+pub(crate) use courses::Courses;
 pub(crate) use degenerate::{is_degenerate, nearness, with_tie_break};
 pub(crate) use eigenform_dense::{product, product_into};
 pub(crate) use matched::Matched;
@@ -38,3 +41,4 @@ pub(crate) use pair::Pair;
 pub(crate) use passage::{Beside, Passage, Passing, cubic_weights};
 pub(crate) use planes::Planes;
 pub(crate) use signs::reversals;
+pub(crate) use turn::Turn;

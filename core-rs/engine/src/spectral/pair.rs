@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use faer::{Mat, MatRef};
-use glam::DVec2;
+use glam::DVec3;
 
 use super::degenerate::turned_to;
 use super::eigenbasis::Eigenbasis;
@@ -18,8 +18,8 @@ pub(crate) struct Pair {
     source: Arc<Eigenbasis>,
     target: Arc<Eigenbasis>,
     likeness: Mat<f64>,
-    source_coefficients: Vec<DVec2>,
-    target_coefficients: Vec<DVec2>,
+    source_coefficients: Vec<DVec3>,
+    target_coefficients: Vec<DVec3>,
 }
 
 impl Pair {
@@ -58,12 +58,12 @@ impl Pair {
     }
 
     /// The source formation about its barycenter, in source modes.
-    pub(super) fn source_coefficients(&self) -> &[DVec2] {
+    pub(super) fn source_coefficients(&self) -> &[DVec3] {
         &self.source_coefficients
     }
 
     /// The target formation about its barycenter, in target modes as they come.
-    pub(super) fn target_coefficients(&self) -> &[DVec2] {
+    pub(super) fn target_coefficients(&self) -> &[DVec3] {
         &self.target_coefficients
     }
 }

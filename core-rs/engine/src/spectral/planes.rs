@@ -5,7 +5,7 @@
 use std::f64::consts::PI;
 
 use faer::{Mat, MatRef};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::invariant::{Block, split};
 use super::runs::runs;
@@ -100,6 +100,17 @@ impl Planes {
     /// Coordinates, a row each, turned by `power` of the rotation.
     pub(crate) fn turned(&self, coordinates: &[DVec2], power: f64) -> Vec<DVec2> {
         self.in_planes(coordinates, |columns| self.turn(power, columns))
+    }
+
+    /// The same for rows that have heights; where nobody has one the plane is all there is.
+    pub(super) fn turned_in_space(&self, coordinates: &[DVec3], power: f64) -> Vec<DVec3> {
+        let plan: Vec<DVec2> = coordinates.iter().map(|row| row.truncate()).collect();
+        let plan = self.turned(&plan, power);
+        if coordinates.iter().all(|row| row.z == 0.0) {
+            return plan.into_iter().map(|row| row.extend(0.0)).collect();
+        }
+        let heights: Vec<DVec2> = coordinates.iter().map(|row| DVec2::new(row.z, 0.0)).collect();
+        plan.into_iter().zip(self.turned(&heights, power)).map(|(row, height)| row.extend(height.x)).collect()
     }
 
     /// How fast coordinates, a row each, move when the rotation's power grows by one a second: its logarithm times them.

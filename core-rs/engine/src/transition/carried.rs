@@ -6,7 +6,7 @@ use faer::{Mat, MatMut, MatRef};
 use glam::DVec2;
 
 use super::Transition;
-use super::modal::{Drift, evaluate_modes};
+use super::modal::{Drift, Modes};
 use crate::spectral::{Passage, Planes, cubic_weights, product, product_into};
 
 /// The power of a rotation over t.
@@ -62,15 +62,14 @@ impl Transition for Carried {
         self.links[0].nrows()
     }
 
-    fn evaluate_into(&self, ts: &[f64], out: &mut [DVec2]) {
+    fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
         let agent_count = self.agent_count();
         let Some((last, _)) = self.turns.last() else { return };
         let mut within = Vec::new();
-        evaluate_modes(
-            last.basis(),
+        Modes::level(last.basis()).evaluate(
             |t| self.drift.at(t),
             ts,
-            out,
+            (plan, heights),
             |ts, columns| {
                 within.resize(2 * ts.len() * self.mode_count, 0.0);
                 self.coefficients.write_columns(ts, &mut within);

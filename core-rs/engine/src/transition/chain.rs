@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec2;
+use glam::DVec3;
 
 use crate::adjacency::Adjacency;
 use crate::choice::{Choice, Join};
@@ -47,6 +47,7 @@ pub struct Chain {
     at: usize,
     join: Join,
     tension: f64,
+    is_level: bool,
 }
 
 impl Chain {
@@ -71,7 +72,24 @@ impl Chain {
         assert!(counts.into_iter().all(|count| count == agent_count), "all keyframes are of the same agents");
         // The paper's formula counts segments, not seconds.
         let durations = if join == Join::Product { vec![1.0; durations.len()] } else { durations };
-        Self { ends, durations, at, join, tension }
+        let is_level = ends.iter().all(|end| end.formation.places().is_level());
+        Self { ends, durations, at, join, tension, is_level }
+    }
+
+    /// The same where somebody climbs elsewhere in the show: then all segments meet as they do in space.
+    #[must_use]
+    pub fn in_space(self) -> Self {
+        Self { is_level: false, ..self }
+    }
+
+    /// Whether the formations have heights, level or not.
+    pub fn has_heights(&self) -> bool {
+        self.ends.iter().any(|end| end.formation.heights().is_some())
+    }
+
+    /// Whether everybody is equally high at each keyframe of the show.
+    pub(super) fn is_level(&self) -> bool {
+        self.is_level
     }
 
     /// How many agents.
@@ -103,7 +121,7 @@ impl Chain {
 
     /// Whether another is made of equal parts, so that its motions are the same.
     pub(super) fn looks_like(&self, other: &Self) -> bool {
-        let shape = |chain: &Self| (chain.at, chain.join, chain.tension);
+        let shape = |chain: &Self| (chain.at, chain.join, chain.tension, chain.is_level);
         let are_alike = |(one, other): (&End, &End)| one.formation == other.formation && one.adjacency == other.adjacency;
         shape(self) == shape(other)
             && self.durations == other.durations
@@ -165,11 +183,11 @@ impl Chain {
     }
 
     /// The velocity of a path through `places`, one a keyframe, at `end`.
-    pub(super) fn velocity(&self, end: usize, place: impl Fn(usize) -> DVec2) -> DVec2 {
+    pub(super) fn velocity(&self, end: usize, place: impl Fn(usize) -> DVec3) -> DVec3 {
         let [before, after] = self.pace(end);
         let here = place(end);
-        let arriving = if before == 0.0 { DVec2::ZERO } else { before * (here - place(end - 1)) };
-        let leaving = if after == 0.0 { DVec2::ZERO } else { after * (place(end + 1) - here) };
+        let arriving = if before == 0.0 { DVec3::ZERO } else { before * (here - place(end - 1)) };
+        let leaving = if after == 0.0 { DVec3::ZERO } else { after * (place(end + 1) - here) };
         arriving + leaving
     }
 }

@@ -21,6 +21,7 @@ mod product;
 mod route;
 mod shared;
 mod smooth;
+mod space;
 mod spectral;
 mod strand;
 mod turns;
@@ -40,8 +41,9 @@ pub trait Transition: Send + Sync {
     /// How many agents it moves.
     fn agent_count(&self) -> usize;
 
-    /// Positions at each `t` (0 = source, 1 = target, after timing): `out[k * agent_count + i]` is agent i at `ts[k]`, meters.
+    /// Places at each `t` (0 = source, 1 = target, after timing): `plan[k * agent_count + i]` is where agent i is at `ts[k]` as seen
+    /// from above, `heights` how high it is there, if anybody asks; meters.
     ///
     /// Both ends are exact to 1e-9 · max(1 m, extent).
-    fn evaluate_into(&self, ts: &[f64], out: &mut [DVec2]);
+    fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>);
 }

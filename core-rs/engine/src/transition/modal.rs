@@ -1,7 +1,7 @@
 //! From coefficients in modes to places on the stage, many instants as one matrix product.
 
 use faer::{MatMut, MatRef};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::chain::Chain;
 use crate::formation::Formation;
@@ -12,94 +12,107 @@ const BATCH: usize = 64;
 
 /// The barycenters of both ends, by which a formation moves as a whole.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Barycenters([DVec2; 2]);
+pub(super) struct Barycenters([DVec3; 2]);
 
 impl Barycenters {
     pub(super) fn of(formations: [&Formation; 2]) -> Self {
-        Self(formations.map(Formation::barycenter))
+        Self(formations.map(|formation| formation.places().barycenter()))
     }
 
-    pub(super) fn at(self, t: f64) -> DVec2 {
+    pub(super) fn at(self, t: f64) -> DVec3 {
         self.0[0] * (1.0 - t) + self.0[1] * t
     }
 }
 
 /// The barycenter's way past both ends of a segment: a cubic of its place, velocity × duration, place, velocity × duration.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Drift([DVec2; 4]);
+pub(super) struct Drift([DVec3; 4]);
 
 impl Drift {
     /// Along the chain's segment.
     pub(super) fn of(chain: &Chain) -> Self {
-        let center = |end: usize| chain.formation(end).barycenter();
+        let center = |end: usize| chain.formation(end).places().barycenter();
         let duration = chain.duration(chain.at());
         let [source, target] = [chain.at(), chain.at() + 1].map(|end| [center(end), duration * chain.velocity(end, center)]);
         Self([source[0], source[1], target[0], target[1]])
     }
 
-    pub(super) fn at(self, t: f64) -> DVec2 {
+    pub(super) fn at(self, t: f64) -> DVec3 {
         cubic_weights(t).into_iter().zip(self.0).map(|(weight, part)| weight * part).sum()
     }
 }
 
-/// Writes coefficients + center for every t, where every agent is its own mode.
-///
-/// `coefficients_into(ts, columns)` fills two columns, x and y, for every t of a batch.
-pub(super) fn evaluate_places(
-    agent_count: usize,
-    center_at: impl Fn(f64) -> DVec2,
-    ts: &[f64],
-    out: &mut [DVec2],
-    coefficients_into: impl Fn(&[f64], &mut [f64]),
-) {
-    assert_eq!(out.len(), ts.len() * agent_count, "a place for every agent at every t");
-    let mut columns = vec![0.0; 2 * agent_count];
-    for (t, out) in ts.iter().zip(out.chunks_exact_mut(agent_count.max(1))) {
-        coefficients_into(&[*t], &mut columns);
-        let (x, y) = columns.split_at(agent_count);
-        let center = center_at(*t);
-        for (place, (x, y)) in out.iter_mut().zip(x.iter().zip(y)) {
-            *place = center + DVec2::new(*x, *y);
+/// What moves: modes, agents × modes, or where there are none the agents themselves; and the columns that their coefficients have at
+/// each instant, x and y and in space z.
+#[derive(Clone, Copy)]
+pub(super) struct Modes<'m> {
+    pub(super) agent_count: usize,
+    pub(super) basis: Option<MatRef<'m, f64>>,
+    pub(super) dimensions: usize,
+}
+
+impl<'m> Modes<'m> {
+    /// Modes on the plane.
+    pub(super) fn level(basis: MatRef<'m, f64>) -> Self {
+        Self { agent_count: basis.nrows(), basis: Some(basis), dimensions: 2 }
+    }
+
+    /// Writes modes · coefficients + center for every t; heights where they are asked for.
+    ///
+    /// `coefficients_into(ts, columns)` fills the columns of every t of a batch.
+    pub(super) fn evaluate(
+        self,
+        center_at: impl Fn(f64) -> DVec3,
+        ts: &[f64],
+        (plan, mut heights): (&mut [DVec2], Option<&mut [f64]>),
+        mut coefficients_into: impl FnMut(&[f64], &mut [f64]),
+    ) {
+        let agent_count = self.agent_count;
+        let mode_count = self.basis.map_or(agent_count, |basis| basis.ncols());
+        assert_eq!(plan.len(), ts.len() * agent_count, "a place for every agent at every t");
+        let batch = self.dimensions * BATCH.min(ts.len());
+        let mut columns = vec![0.0; batch * mode_count];
+        let mut products = vec![0.0; if self.basis.is_some() { batch * agent_count } else { 0 }];
+        for (first, ts) in (0..).step_by(BATCH).zip(ts.chunks(BATCH)) {
+            let column_count = self.dimensions * ts.len();
+            let columns = &mut columns[..column_count * mode_count];
+            // One agent is its own barycenter.
+            if mode_count > 0 {
+                coefficients_into(ts, columns);
+            }
+            let away: &[f64] = match self.basis {
+                None => columns,
+                Some(basis) => {
+                    let products = &mut products[..column_count * agent_count];
+                    if mode_count > 0 {
+                        product_into(
+                            MatMut::from_column_major_slice_mut(products, agent_count, column_count),
+                            basis,
+                            MatRef::from_column_major_slice(columns, mode_count, column_count),
+                        );
+                    }
+                    products
+                }
+            };
+            for (k, t) in ts.iter().enumerate() {
+                let frame = (first + k) * agent_count..(first + k + 1) * agent_count;
+                let away = &away[self.dimensions * k * agent_count..][..self.dimensions * agent_count];
+                let heights = heights.as_deref_mut().map(|heights| &mut heights[frame.clone()]);
+                write_frame(center_at(*t), away, &mut plan[frame], heights);
+            }
         }
     }
 }
 
-/// Writes modes · coefficients + center for every t; `modes` is agents × modes.
-///
-/// `coefficients_into(ts, columns)` fills two columns, x and y, for every t of a batch.
-pub(super) fn evaluate_modes(
-    modes: MatRef<'_, f64>,
-    center_at: impl Fn(f64) -> DVec2,
-    ts: &[f64],
-    out: &mut [DVec2],
-    mut coefficients_into: impl FnMut(&[f64], &mut [f64]),
-) {
-    let (agent_count, mode_count) = (modes.nrows(), modes.ncols());
-    assert_eq!(out.len(), ts.len() * agent_count, "a place for every agent at every t");
-    if mode_count == 0 {
-        // Nobody, or one agent that is its own barycenter.
-        out.iter_mut().zip(ts).for_each(|(place, t)| *place = center_at(*t));
-        return;
+/// Writes the places of one instant from columns x, y and, in space, z about a center.
+fn write_frame(center: DVec3, columns: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
+    let (x, rest) = columns.split_at(plan.len());
+    let (y, z) = rest.split_at(plan.len());
+    for (place, (x, y)) in plan.iter_mut().zip(x.iter().zip(y)) {
+        *place = center.truncate() + DVec2::new(*x, *y);
     }
-    let batch = BATCH.min(ts.len());
-    let mut columns = vec![0.0; 2 * batch * mode_count];
-    let mut places = vec![0.0; 2 * batch * agent_count];
-    for (ts, out) in ts.chunks(BATCH).zip(out.chunks_mut(BATCH * agent_count)) {
-        let columns = &mut columns[..2 * ts.len() * mode_count];
-        let places = &mut places[..2 * ts.len() * agent_count];
-        coefficients_into(ts, columns);
-        product_into(
-            MatMut::from_column_major_slice_mut(places, agent_count, 2 * ts.len()),
-            modes,
-            MatRef::from_column_major_slice(columns, mode_count, 2 * ts.len()),
-        );
-        let frames = out.chunks_exact_mut(agent_count).zip(places.chunks_exact(2 * agent_count));
-        for (t, (out, places)) in ts.iter().zip(frames) {
-            let center = center_at(*t);
-            let (x, y) = places.split_at(agent_count);
-            for (place, (x, y)) in out.iter_mut().zip(x.iter().zip(y)) {
-                *place = center + DVec2::new(*x, *y);
-            }
-        }
+    if let Some(heights) = heights {
+        heights.fill(center.z);
+        heights.iter_mut().zip(z).for_each(|(height, z)| *height += z);
     }
 }

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec2;
+use glam::DVec3;
 
 use super::End;
 use crate::adjacency::{Adjacency, Tie};
@@ -24,20 +24,22 @@ const NOISY_BITS: u32 = 16;
 
 /// By node of the tree: its parts as the agents of an end. Within groups positions are about the group's barycenter.
 pub(crate) fn nodes_at(tree: &Tree, formation: &Formation, adjacency: &Adjacency) -> Vec<End> {
-    let places: Vec<DVec2> = tree.agents().iter().map(|&agent| formation.positions()[agent as usize]).collect();
+    let places: Vec<DVec3> = tree.agents().iter().map(|&agent| formation.places().at(agent as usize)).collect();
     let center = |range: std::ops::Range<usize>| {
         let count = range.len().max(1) as f64;
-        places[range].iter().sum::<DVec2>() / count
+        places[range].iter().sum::<DVec3>() / count
     };
+    let has_heights = formation.heights().is_some();
     let mut ties = ties_by_node(tree, adjacency);
     let node_end = |(index, node): (usize, &Node)| {
         let is_root = index == 0;
-        let origin = if is_root { DVec2::ZERO } else { center(node.range()) };
+        let origin = if is_root { DVec3::ZERO } else { center(node.range()) };
         let place = |part: &Part| {
             let place = center(part.range.clone()) - origin;
             if is_root { place } else { (place / GRAIN).round() * GRAIN }
         };
-        let formation = Formation::new(node.parts().iter().map(place).collect());
+        let (plan, heights) = node.parts().iter().map(place).map(|place| (place.truncate(), place.z)).unzip();
+        let formation = if has_heights { Formation::spatial(plan, heights) } else { Formation::new(plan) };
         let adjacency = Adjacency::new(node.parts().len(), summed(std::mem::take(&mut ties[index]), is_root));
         End { formation: Arc::new(formation), adjacency: Arc::new(adjacency) }
     };
@@ -72,6 +74,8 @@ fn without_noise(weight: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use glam::DVec2;
+
     use super::*;
     use crate::grouping::Branch;
 

@@ -10,7 +10,7 @@ use super::planner::Planner;
 use crate::adjacency::Adjacency;
 use crate::choice::{Choice, Order};
 use crate::recent::Same;
-use crate::spectral::{Eigenbasis, Matched, ModeMatch, Pair, Pairing, is_degenerate, nearness, reversals, turn_between, with_tie_break};
+use crate::spectral::{Eigenbasis, Matched, ModeMatch, Pair, Pairing, Turn, is_degenerate, nearness, reversals, with_tie_break};
 
 impl Planner {
     /// The eigenbasis of a graph, in one go.
@@ -90,7 +90,7 @@ impl Planner {
         let pair = self.pair(couple)?;
         let pairing = self.pairing(&pair, choice.order)?;
         let formations = couple.formations();
-        let turn = turn_between(formations[0], formations[1], choice.alignment);
+        let turn = Turn::between(formations, choice.alignment);
         let reversals = reversals(&pair, &pairing, formations, turn);
         let recipe = Recipe::Matched(Same(pair.clone()), choice.order, reversals.clone());
         if let Some(Piece::Matched(known)) = self.known(&recipe) {

@@ -1,6 +1,6 @@
 //! Plans transitions step by step, and remembers the pieces that others have in common with them.
 
-use super::chain::{Chain, Ways};
+use super::chain::{Chain, Couple, Way, Ways};
 use super::linear::Linear;
 use super::piece::{Piece, Recipe};
 use super::polar::Polar;
@@ -47,11 +47,13 @@ impl Planner {
     /// # Panics
     /// When a method is `auto`, or a neighbor has no way: a bug of the caller.
     pub fn step(&mut self, chain: &Chain, ways: &Ways) -> Option<Box<dyn Transition>> {
-        let (parts, keeps_size) = (ways.own.parts(), ways.own.keeps_size);
         if chain.is_alone() {
-            let alone = parts.into_iter().map(|(choice, share)| Some((self.alone(chain, &choice, keeps_size)?, share)));
-            return Some(blended(alone.collect::<Option<_>>()?));
+            return self.alone(chain, chain.at(), &ways.own);
         }
+        if !chain.is_level() {
+            return self.in_space(chain, ways);
+        }
+        let (parts, keeps_size) = (ways.own.parts(), ways.own.keeps_size);
         let mut routes = Vec::new();
         for (choice, share) in parts {
             let route = match chain.join() {
@@ -80,16 +82,21 @@ impl Planner {
         self.pieces.add(recipe, piece, matrices * agent_count * agent_count * size_of::<f64>());
     }
 
-    /// The segment without neighbors.
-    fn alone(&mut self, chain: &Chain, choice: &Choice, keeps_size: bool) -> Option<Box<dyn Transition>> {
-        let couple = chain.couple(chain.at());
+    /// The segment from keyframe `pair` to the next as if it had no neighbors.
+    pub(super) fn alone(&mut self, chain: &Chain, pair: usize, way: &Way) -> Option<Box<dyn Transition>> {
+        let couple = chain.couple(pair);
+        let parts = way.parts().into_iter().map(|(choice, share)| Some((self.between(&couple, &choice, way.keeps_size)?, share)));
+        Some(blended(parts.collect::<Option<_>>()?))
+    }
+
+    fn between(&mut self, couple: &Couple, choice: &Choice, keeps_size: bool) -> Option<Box<dyn Transition>> {
         Some(match choice.method {
             MethodName::Auto => panic!("auto chooses among methods and is none"),
-            MethodName::Linear => Box::new(Linear::new(&couple)),
+            MethodName::Linear => Box::new(Linear::new(couple)),
             MethodName::Polar => Box::new(Polar::new(couple.formations(), choice.alignment)),
-            MethodName::Shared => Box::new(Shared::new(couple.formations(), self.mean_basis(&couple)?, choice.alignment, keeps_size)),
+            MethodName::Shared => Box::new(Shared::new(couple.formations(), self.mean_basis(couple)?, choice.alignment, keeps_size)),
             MethodName::Spectral => {
-                let matched = self.matched(&couple, choice)?;
+                let matched = self.matched(couple, choice)?;
                 Box::new(Spectral::new(couple.formations(), matched, choice.alignment, choice.sharing, keeps_size))
             }
         })
@@ -111,7 +118,7 @@ mod tests {
     use crate::adjacency::{AdjacencySpec, build};
     use crate::choice::{Alignment, Order};
     use crate::formation::Formation;
-    use crate::transition::{End, Way};
+    use crate::transition::End;
 
     fn spiral(pitch: f64) -> End {
         let formation = Formation::new((1..10).map(|i| DVec2::from_angle(f64::from(i)) * (1.0 + pitch * f64::from(i))).collect::<Vec<_>>());

@@ -3,27 +3,26 @@
 use glam::DVec2;
 
 use super::Transition;
-use super::modal::{Barycenters, evaluate_places};
+use super::modal::{Barycenters, Modes};
 use crate::choice::Alignment;
 use crate::formation::Formation;
-use crate::spectral::{Coefficients, turn_between};
+use crate::spectral::{Courses, Turn};
 
 /// Every agent turns about the barycenter while its distance from it runs linearly.
 #[derive(Clone, Debug)]
 pub(super) struct Polar {
     agent_count: usize,
-    places: Coefficients,
+    courses: Courses,
     barycenters: Barycenters,
 }
 
 impl Polar {
     /// Plans it; ties do not matter.
     pub(super) fn new(formations: [&Formation; 2], alignment: Alignment) -> Self {
-        let turn = turn_between(formations[0], formations[1], alignment);
-        let [source, target] = formations.map(about_barycenter);
+        let [source, target] = formations.map(|formation| formation.places().about_barycenter());
         Self {
             agent_count: formations[0].agent_count(),
-            places: Coefficients::between(&source, &target, turn),
+            courses: Courses::between(&source, &target, Turn::between(formations, alignment)),
             barycenters: Barycenters::of(formations),
         }
     }
@@ -34,13 +33,13 @@ impl Transition for Polar {
         self.agent_count
     }
 
-    fn evaluate_into(&self, ts: &[f64], out: &mut [DVec2]) {
-        let center_at = |t| self.barycenters.at(t);
-        evaluate_places(self.agent_count, center_at, ts, out, |ts, columns| self.places.write_columns(ts, columns));
+    fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
+        let agents = Modes { agent_count: self.agent_count, basis: None, dimensions: self.courses.dimensions() };
+        agents.evaluate(|t| self.barycenters.at(t), ts, (plan, heights), |ts, columns| self.courses.write_columns(ts, columns));
     }
 }
 
-/// Places about their barycenter.
+/// Places about their barycenter, as seen from above.
 pub(super) fn about_barycenter(formation: &Formation) -> Vec<DVec2> {
     let center = formation.barycenter();
     formation.positions().iter().map(|p| *p - center).collect()

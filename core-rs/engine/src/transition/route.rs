@@ -8,7 +8,7 @@ use super::Transition;
 use super::carried::{Carried, Power};
 use super::chain::Chain;
 use super::cubic::Cubic;
-use super::modal::{Drift, evaluate_modes, evaluate_places};
+use super::modal::{Drift, Modes};
 use super::smooth::straight_velocities;
 use super::strand::Strand;
 use crate::spectral::{Eigenbasis, Passage, Planes, product};
@@ -51,7 +51,7 @@ fn straight(chain: &Chain) -> Cubic {
     let (at, duration) = (chain.at(), chain.duration(chain.at()));
     let part = |end: usize| {
         let velocities = straight_velocities(chain, end).into_iter().map(|velocity| duration * velocity).collect();
-        (chain.formation(end).positions().to_vec(), velocities)
+        (chain.formation(end).places().iter().collect(), velocities)
     };
     let ((start, leaving), (stop, arriving)) = (part(at), part(at + 1));
     Cubic::new([start, leaving, stop, arriving])
@@ -71,12 +71,8 @@ impl Transition for Fixed {
         self.agent_count
     }
 
-    fn evaluate_into(&self, ts: &[f64], out: &mut [DVec2]) {
-        let center_at = |t| self.drift.at(t);
-        let write = |ts: &[f64], columns: &mut [f64]| self.coefficients.write_columns(ts, columns);
-        match &self.basis {
-            Some(basis) => evaluate_modes(basis.modes(), center_at, ts, out, write),
-            None => evaluate_places(self.agent_count, center_at, ts, out, write),
-        }
+    fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
+        let modes = Modes { agent_count: self.agent_count, basis: self.basis.as_ref().map(|basis| basis.modes()), dimensions: 2 };
+        modes.evaluate(|t| self.drift.at(t), ts, (plan, heights), |ts, columns| self.coefficients.write_columns(ts, columns));
     }
 }

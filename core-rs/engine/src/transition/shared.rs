@@ -4,28 +4,29 @@
 
 use std::sync::Arc;
 
+use glam::DVec2;
+
 use super::Transition;
-use super::modal::{Barycenters, evaluate_modes};
+use super::modal::{Barycenters, Modes};
 use crate::choice::Alignment;
 use crate::formation::Formation;
-use crate::spectral::{Coefficients, Eigenbasis, turn_between};
+use crate::spectral::{Courses, Eigenbasis, Turn};
 
 /// The coefficients move, the modes stay.
 #[derive(Clone, Debug)]
 pub(super) struct Shared {
     basis: Arc<Eigenbasis>,
-    coefficients: Coefficients,
+    courses: Courses,
     barycenters: Barycenters,
 }
 
 impl Shared {
     /// Plans it in a basis of the mean Laplacian.
     pub(super) fn new(formations: [&Formation; 2], basis: Arc<Eigenbasis>, alignment: Alignment, keep_size: bool) -> Self {
-        let turn = turn_between(formations[0], formations[1], alignment);
         let [source, target] = formations.map(|formation| basis.coefficients(formation));
-        let coefficients = Coefficients::between(&source, &target, turn);
-        let coefficients = if keep_size { coefficients.keeping_size() } else { coefficients };
-        Self { basis, coefficients, barycenters: Barycenters::of(formations) }
+        let courses = Courses::between(&source, &target, Turn::between(formations, alignment));
+        let courses = if keep_size { courses.keeping_size() } else { courses };
+        Self { basis, courses, barycenters: Barycenters::of(formations) }
     }
 }
 
@@ -34,7 +35,8 @@ impl Transition for Shared {
         self.basis.agent_count()
     }
 
-    fn evaluate_into(&self, ts: &[f64], out: &mut [glam::DVec2]) {
-        evaluate_modes(self.basis.modes(), |t| self.barycenters.at(t), ts, out, |ts, columns| self.coefficients.write_columns(ts, columns));
+    fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
+        let modes = Modes { dimensions: self.courses.dimensions(), ..Modes::level(self.basis.modes()) };
+        modes.evaluate(|t| self.barycenters.at(t), ts, (plan, heights), |ts, columns| self.courses.write_columns(ts, columns));
     }
 }

@@ -4,7 +4,7 @@
 //! method: places, radii and angles, rotations. Where the methods on both sides differ, or equal eigenvalues give a keyframe two
 //! bases, the mean of both velocities is the one, and each path is bent to it.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::Transition;
 use super::carried::Power;
@@ -36,7 +36,7 @@ impl Planner {
     }
 
     /// What the velocities at both ends lack to be the mean of the segment's and its neighbor's, meters a second; none at a stop.
-    pub(super) fn velocity_lacks(&mut self, chain: &Chain, ways: &Ways) -> Option<[Option<Vec<DVec2>>; 2]> {
+    pub(super) fn velocity_lacks(&mut self, chain: &Chain, ways: &Ways) -> Option<[Option<Vec<DVec3>>; 2]> {
         if chain.join() != Join::Smooth {
             return Some([None, None]);
         }
@@ -51,7 +51,7 @@ impl Planner {
         Some(lacks)
     }
 
-    fn velocity_lack(&mut self, chain: &Chain, own: (Way, usize), other: (Way, usize), end: usize) -> Option<Vec<DVec2>> {
+    fn velocity_lack(&mut self, chain: &Chain, own: (Way, usize), other: (Way, usize), end: usize) -> Option<Vec<DVec3>> {
         // The neighbor's pieces may be missing yet; the segment's own are not.
         let other = self.velocities(chain, &other.0, other.1, end)?;
         let own = self.velocities(chain, &own.0, own.1, end)?;
@@ -59,8 +59,8 @@ impl Planner {
     }
 
     /// How fast each agent passes keyframe `end` in the modes of `pair`, meters a second.
-    fn velocities(&mut self, chain: &Chain, way: &Way, pair: usize, end: usize) -> Option<Vec<DVec2>> {
-        let mut sum = vec![DVec2::ZERO; chain.agent_count()];
+    fn velocities(&mut self, chain: &Chain, way: &Way, pair: usize, end: usize) -> Option<Vec<DVec3>> {
+        let mut sum = vec![DVec3::ZERO; chain.agent_count()];
         for (choice, share) in way.parts() {
             let velocities = if goes_straight(chain, &choice) {
                 straight_velocities(chain, end)
@@ -74,16 +74,23 @@ impl Planner {
 }
 
 /// A path bent so that it starts and ends exactly, and with velocities that lack nothing.
-pub(super) fn bent(chain: &Chain, path: Box<dyn Transition>, velocity_lacks: [Option<Vec<DVec2>>; 2]) -> Box<dyn Transition> {
+pub(super) fn bent(chain: &Chain, path: Box<dyn Transition>, velocity_lacks: [Option<Vec<DVec3>>; 2]) -> Box<dyn Transition> {
     let (at, agent_count) = (chain.at(), chain.agent_count());
-    let mut ends = vec![DVec2::ZERO; 2 * agent_count];
-    path.evaluate_into(&[0.0, 1.0], &mut ends);
+    let ends = places_at(&*path, &[0.0, 1.0]);
     let (starts, stops) = ends.split_at(agent_count);
-    let place_lack = |end: usize, found: &[DVec2]| chain.formation(end).positions().iter().zip(found).map(|(p, q)| *p - *q).collect();
+    let place_lack = |end: usize, found: &[DVec3]| chain.formation(end).places().iter().zip(found).map(|(p, q)| p - *q).collect();
     let duration = chain.duration(at);
     let [leaving, arriving] =
-        velocity_lacks.map(|lacks| lacks.map_or(vec![DVec2::ZERO; agent_count], |l| l.into_iter().map(|v| duration * v).collect()));
+        velocity_lacks.map(|lacks| lacks.map_or(vec![DVec3::ZERO; agent_count], |l| l.into_iter().map(|v| duration * v).collect()));
     Box::new(Bent::new(path, Cubic::new([place_lack(at, starts), leaving, place_lack(at + 1, stops), arriving])))
+}
+
+/// Places at each t, sample by sample.
+pub(super) fn places_at(path: &dyn Transition, ts: &[f64]) -> Vec<DVec3> {
+    let count = ts.len() * path.agent_count();
+    let (mut plan, mut heights) = (vec![DVec2::ZERO; count], vec![0.0; count]);
+    path.evaluate_into(ts, &mut plan, Some(&mut heights));
+    plan.into_iter().zip(heights).map(|(place, height)| place.extend(height)).collect()
 }
 
 /// Whether agents go by places alone; one agent has no modes.
@@ -92,8 +99,8 @@ pub(super) fn goes_straight(chain: &Chain, choice: &Choice) -> bool {
 }
 
 /// How fast each agent passes keyframe `end` on a straight way, meters a second.
-pub(super) fn straight_velocities(chain: &Chain, end: usize) -> Vec<DVec2> {
-    (0..chain.agent_count()).map(|agent| chain.velocity(end, |end| chain.formation(end).positions()[agent])).collect()
+pub(super) fn straight_velocities(chain: &Chain, end: usize) -> Vec<DVec3> {
+    (0..chain.agent_count()).map(|agent| chain.velocity(end, |end| chain.formation(end).places().at(agent))).collect()
 }
 
 fn neighbor(way: Option<Way>) -> Way {

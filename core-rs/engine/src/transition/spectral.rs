@@ -6,10 +6,10 @@ use faer::{MatMut, MatRef};
 use glam::DVec2;
 
 use super::Transition;
-use super::modal::{Barycenters, evaluate_modes};
+use super::modal::{Barycenters, Modes};
 use crate::choice::Alignment;
 use crate::formation::Formation;
-use crate::spectral::{Coefficients, Matched, product_into, turn_between};
+use crate::spectral::{Courses, Matched, Turn, product_into};
 
 /// X(t) = S Q^(ρ/2 + (1 − ρ) t) C(t) + b(t): with sharing ρ both ends are taken apart in bases that have already met part of the
 /// way, so that less is left to turn; ρ = 0 is the paper's M(t) = Rᵗ S (equation 3).
@@ -17,18 +17,17 @@ use crate::spectral::{Coefficients, Matched, product_into, turn_between};
 pub(super) struct Spectral {
     matched: Arc<Matched>,
     sharing: f64,
-    coefficients: Coefficients,
+    courses: Courses,
     barycenters: Barycenters,
 }
 
 impl Spectral {
     /// Plans it from matched modes; `sharing` in 0..1.
     pub(super) fn new(formations: [&Formation; 2], matched: Arc<Matched>, alignment: Alignment, sharing: f64, keep_size: bool) -> Self {
-        let turn = turn_between(formations[0], formations[1], alignment);
         let [source, target] = matched.coefficients_shared(0.5 * sharing);
-        let coefficients = Coefficients::between(&source, &target, turn);
-        let coefficients = if keep_size { coefficients.keeping_size() } else { coefficients };
-        Self { matched, sharing, coefficients, barycenters: Barycenters::of(formations) }
+        let courses = Courses::between(&source, &target, Turn::between(formations, alignment));
+        let courses = if keep_size { courses.keeping_size() } else { courses };
+        Self { matched, sharing, courses, barycenters: Barycenters::of(formations) }
     }
 }
 
@@ -37,24 +36,24 @@ impl Transition for Spectral {
         self.matched.modes_in_planes().nrows()
     }
 
-    fn evaluate_into(&self, ts: &[f64], out: &mut [DVec2]) {
+    fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
         let planes = self.matched.planes();
         let mode_count = planes.basis().ncols();
         let mut in_modes = Vec::new();
-        evaluate_modes(
-            self.matched.modes_in_planes(),
+        let modes = Modes { dimensions: self.courses.dimensions(), ..Modes::level(self.matched.modes_in_planes()) };
+        modes.evaluate(
             |t| self.barycenters.at(t),
             ts,
-            out,
+            (plan, heights),
             |ts, columns| {
                 in_modes.resize(columns.len(), 0.0);
-                self.coefficients.write_columns(ts, &mut in_modes);
+                self.courses.write_columns(ts, &mut in_modes);
                 product_into(
-                    MatMut::from_column_major_slice_mut(columns, mode_count, 2 * ts.len()),
+                    MatMut::from_column_major_slice_mut(columns, mode_count, modes.dimensions * ts.len()),
                     planes.basis().transpose(),
-                    MatRef::from_column_major_slice(&in_modes, mode_count, 2 * ts.len()),
+                    MatRef::from_column_major_slice(&in_modes, mode_count, modes.dimensions * ts.len()),
                 );
-                for (t, columns) in ts.iter().zip(columns.chunks_exact_mut(2 * mode_count)) {
+                for (t, columns) in ts.iter().zip(columns.chunks_exact_mut(modes.dimensions * mode_count)) {
                     planes.turn(0.5 * self.sharing + (1.0 - self.sharing) * t, columns);
                 }
             },

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 use faer::{Mat, MatRef};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::chain::Chain;
 use super::planner::Planner;
@@ -90,7 +90,7 @@ impl Planner {
 }
 
 impl Strand<'_> {
-    /// The common turn from keyframe `pair` to the next.
+    /// The common turn from keyframe `pair` to the next, as seen from above.
     pub(super) fn turn(&self, pair: usize) -> f64 {
         turn_between(self.chain.formation(pair), self.chain.formation(pair + 1), self.choice.alignment)
     }
@@ -100,7 +100,7 @@ impl Strand<'_> {
         let formation = self.chain.formation(end);
         match &self.modes {
             Modes::Places => about_barycenter(formation),
-            Modes::Fixed(basis) => basis.coefficients(formation),
+            Modes::Fixed(basis) => basis.coefficients(formation).into_iter().map(DVec3::truncate).collect(),
             Modes::Turning(turning) => turning.coefficients(about_barycenter(formation), end),
         }
     }
@@ -117,10 +117,10 @@ impl Strand<'_> {
     }
 
     /// How fast each agent passes keyframe `end`, meters a second.
-    pub(super) fn velocities(&self, end: usize) -> Vec<DVec2> {
-        let drift = self.chain.velocity(end, |end| self.chain.formation(end).barycenter());
+    pub(super) fn velocities(&self, end: usize) -> Vec<DVec3> {
+        let drift = self.chain.velocity(end, |end| self.chain.formation(end).places().barycenter());
         let coefficients = self.passing(end).velocities(&self.coefficients(end), self.keeps_size());
-        let mut velocities = match &self.modes {
+        let velocities = match &self.modes {
             Modes::Places => coefficients,
             Modes::Fixed(basis) => over_modes(basis.modes(), &coefficients),
             Modes::Turning(turning) => {
@@ -140,10 +140,7 @@ impl Strand<'_> {
                 own
             }
         };
-        for velocity in &mut velocities {
-            *velocity += drift;
-        }
-        velocities
+        velocities.into_iter().map(|velocity| velocity.extend(0.0) + drift).collect()
     }
 
     /// The path of the coefficients from keyframe `pair` to the next.

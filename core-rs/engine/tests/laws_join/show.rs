@@ -75,7 +75,7 @@ pub fn positions(performance: &Performance, segment: usize, fractions: &[f64]) -
     let (start, end) = (motion.times()[0], motion.times()[motion.times().len() - 1]);
     let times: Vec<f64> = fractions.iter().map(|fraction| start + fraction * (end - start)).collect();
     let mut out = vec![DVec2::NAN; motion.agent_count() * times.len()];
-    performance.segments()[segment].positions_into(&times, &mut out);
+    performance.segments()[segment].places_into(&times, &mut out, None);
     out.chunks(motion.agent_count().max(1)).map(<[DVec2]>::to_vec).collect()
 }
 

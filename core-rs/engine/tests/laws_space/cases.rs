@@ -1,14 +1,68 @@
 //! Formations in space that break careless code, and how to move them.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
+use eigenform::adjacency::{AdjacencySpec, build};
+use eigenform::choice::{Alignment, Choice, MethodName, Order};
 use eigenform::formation::Formation;
+use eigenform::transition::{Chain, End, Planner, Way, Ways};
 use glam::{DQuat, DVec2, DVec3};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
+pub const ORDERS: [Order; 4] = [Order::Eigenvalue, Order::Greedy, Order::Maxmin, Order::Hungarian];
+pub const ALIGNMENTS: [Alignment; 3] = [Alignment::None, Alignment::Pca, Alignment::Procrustes];
+pub const SHARINGS: [f64; 2] = [0.0, 0.5];
+
 pub fn formation(points: &[DVec3]) -> Formation {
     Formation::spatial(points.iter().map(|point| point.truncate()).collect(), points.iter().map(|point| point.z).collect())
+}
+
+pub fn end(formation: &Formation) -> End {
+    let adjacency = build(formation, &AdjacencySpec::default(), &[]).expect("few ties");
+    End { formation: Arc::new(formation.clone()), adjacency: Arc::new(adjacency) }
+}
+
+pub fn chain(source: &Formation, target: &Formation) -> Chain {
+    Chain::between(end(source), end(target))
+}
+
+/// Every method with every option that it knows.
+pub fn choices() -> Vec<Choice> {
+    let plain = |method, alignment| Choice { method, order: Order::Greedy, alignment, sharing: 0.0 };
+    let mut all = vec![plain(MethodName::Linear, Alignment::None)];
+    for alignment in ALIGNMENTS {
+        all.extend([plain(MethodName::Polar, alignment), plain(MethodName::Shared, alignment)]);
+        for order in ORDERS {
+            all.extend(SHARINGS.map(|sharing| Choice { method: MethodName::Spectral, order, alignment, sharing }));
+        }
+    }
+    all
+}
+
+/// Places at each t, one row a t.
+pub fn motion(planner: &mut Planner, chain: &Chain, choice: &Choice, keep_size: bool, ts: &[f64]) -> Vec<Vec<DVec3>> {
+    motion_of(planner, chain, &Ways::all(Way::of(*choice, keep_size)), ts)
+}
+
+pub fn motion_of(planner: &mut Planner, chain: &Chain, ways: &Ways, ts: &[f64]) -> Vec<Vec<DVec3>> {
+    let transition = planner.plan(chain, ways);
+    let agent_count = transition.agent_count();
+    let mut positions = vec![DVec2::NAN; agent_count * ts.len()];
+    let mut heights = vec![f64::NAN; agent_count * ts.len()];
+    transition.evaluate_into(ts, &mut positions, Some(&mut heights));
+    let places: Vec<DVec3> = positions.iter().zip(heights).map(|(position, height)| position.extend(height)).collect();
+    (0..ts.len()).map(|k| places[k * agent_count..][..agent_count].to_vec()).collect()
+}
+
+pub fn farthest(p: &[DVec3], q: &[DVec3]) -> f64 {
+    assert_eq!(p.len(), q.len());
+    p.iter().zip(q).map(|(p, q)| if p.is_finite() && q.is_finite() { p.distance(*q) } else { f64::INFINITY }).fold(0.0, f64::max)
+}
+
+pub fn center(points: &[DVec3]) -> DVec3 {
+    points.iter().sum::<DVec3>() / points.len() as f64
 }
 
 /// Columns, rows and layers one meter apart.

@@ -3,4 +3,9 @@
 
 mod adjacency;
 mod cases;
+mod ends;
+mod joins;
+mod level;
 mod measures;
+mod symmetry;
+mod turns;

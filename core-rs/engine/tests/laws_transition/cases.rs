@@ -67,7 +67,7 @@ pub fn motion(planned: &mut Planned, choice: &Choice, keep_size: bool, ts: &[f64
     let transition = planned.planner.plan(&planned.chain, &Ways::all(Way::of(*choice, keep_size)));
     let agent_count = transition.agent_count();
     let mut out = vec![DVec2::NAN; agent_count * ts.len()];
-    transition.evaluate_into(ts, &mut out);
+    transition.evaluate_into(ts, &mut out, None);
     (0..ts.len()).map(|k| out[k * agent_count..][..agent_count].to_vec()).collect()
 }
 
