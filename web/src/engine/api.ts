@@ -79,6 +79,29 @@ export interface Approach {
   readonly agents: readonly [number, number];
 }
 
+/** An agent that is too near at an end of a transition. */
+export interface KeyframeBreach {
+  /** The keyframe it leaves, or the one it comes to. */
+  readonly end: 0 | 1;
+  readonly agent: number;
+  readonly other: { readonly agent: number } | { readonly obstacle: number };
+  /** Meters; negative inside an obstacle. */
+  readonly distance: number;
+}
+
+/** A next step where a transition does not keep the minimum distance. */
+export type Suggestion =
+  /** These two take each other's places in the target. */
+  | { readonly kind: "swap"; readonly agents: readonly [number, number] }
+  /** Everybody takes the place that makes the sum of squared ways least. */
+  | { readonly kind: "assign" }
+  | { readonly kind: "straight" }
+  | { readonly kind: "sharing"; readonly sharing: number }
+  /** Meters. */
+  | { readonly kind: "distance"; readonly distance: number }
+  /** Scene seconds. */
+  | { readonly kind: "keyframe"; readonly time: number };
+
 /** The measures of one transition (units as on the command line: m, s, rad). */
 export interface SegmentReport {
   readonly choice: Choice;
@@ -86,12 +109,16 @@ export interface SegmentReport {
   readonly turning: Extreme;
   /** The nearest that anybody comes to another; null for fewer than two agents. */
   readonly clearance: Approach | null;
-  /** Before avoidance; absent without it, as the two below. */
+  /** Before avoidance; absent without it, as what follows. */
   readonly guideClearance?: Approach | null;
   /** How far avoidance moves agents from the method's own motion, meters. */
   readonly deviation?: Extreme;
   /** Meetings that avoidance leaves too near; empty when it is proved that there are none. */
   readonly unsolved?: readonly Approach[];
+  /** Who is too near in one of its keyframes already. */
+  readonly breaches?: readonly KeyframeBreach[];
+  /** What may help where it is not solved, the likeliest first. */
+  readonly suggestions?: readonly Suggestion[];
   readonly nearCollisions: number;
   readonly pathLength: Extreme;
   readonly topSpeed: { readonly speed: number; readonly time: number; readonly agent: number };

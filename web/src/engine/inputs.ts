@@ -28,7 +28,7 @@ export function segmentInputs(scene: Scene, segment: number): Inputs {
     if (passes(first)) first -= 1;
     if (passes(last)) last += 1;
   }
-  const inputs: unknown[] = [...specs, scene.frameRate, scene.minimumDistance, scene.obstacles];
+  const inputs: unknown[] = [...specs, scene.frameRate, scene.minimumDistance, scene.obstacles, scene.seed];
   for (let keyframe = first; keyframe <= last; keyframe += 1) {
     const { time = 0, hold = 0 } = track.keyframes[keyframe] ?? {};
     // When the first and the last were reached and left does not matter, only how long it takes from one to the next.

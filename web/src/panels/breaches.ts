@@ -1,8 +1,19 @@
 import type { Formation } from "../document/formation";
+import type { Planning } from "../engine/api";
 import { type Clash, ClashFinder } from "../stage/clashes";
 
 /** Two agents that stand nearer than they may, and how near; meters. */
 export type Breach = Readonly<Clash>;
+
+/** How many agents stand too near to an obstacle in a keyframe, as far as the transitions beside it say. */
+export function obstacleBreachCount(plannings: readonly Planning[], keyframe: number): number {
+  const reported = (segment: number, end: 0 | 1): number => {
+    const state = plannings[segment];
+    const breaches = (state?.kind === "ready" && state.plan.report.breaches) || [];
+    return breaches.filter((breach) => breach.end === end && "obstacle" in breach.other).length;
+  };
+  return Math.max(reported(keyframe, 0), reported(keyframe - 1, 1));
+}
 
 const known = new WeakMap<Formation, { readonly minimum: number; readonly breaches: readonly Breach[] }>();
 

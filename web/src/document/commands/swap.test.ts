@@ -2,7 +2,7 @@ import { expect, test } from "vitest";
 import { DEFAULT_AGENT, DEFAULT_SEGMENT, emptyScene, keyframeAt } from "../defaults";
 import { Formation } from "../formation";
 import { mainTrack, type Scene } from "../scene";
-import { swapAgents } from "./swap";
+import { swapAgents, takePlaces } from "./swap";
 
 const choice = { method: "polar", order: "greedy", alignment: "pca", sharing: 0 } as const;
 
@@ -51,4 +51,17 @@ test("nobody changes places with themselves or with nobody", () => {
   expect(swapAgents(1, 1, 1).apply(scene)).toBe(scene);
   expect(swapAgents(1, 0, 3).apply(scene)).toBe(scene);
   expect(swapAgents(3, 0, 1).apply(scene)).toBe(scene);
+});
+
+test("everybody takes the place given, and only when each place is taken once", () => {
+  const { keyframes } = mainTrack(takePlaces(1, [1, 2, 0]).apply(scene));
+  expect(keyframes[1]?.positions.points()).toEqual([
+    [1, 1],
+    [1, 2],
+    [1, 0],
+  ]);
+  expect(takePlaces(1, [1, 1, 0]).apply(scene)).toBe(scene);
+  expect(takePlaces(1, [0, 1]).apply(scene)).toBe(scene);
+  expect(takePlaces(1, [0, 1, 3]).apply(scene)).toBe(scene);
+  expect(takePlaces(1, [0, 1, 2]).apply(scene)).toBe(scene);
 });

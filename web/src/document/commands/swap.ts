@@ -5,18 +5,28 @@ import type { Command } from "../store";
 export function swapAgents(keyframe: number, a: number, b: number): Command {
   return {
     label: "Swap two agents",
+    apply: (scene) => {
+      const agents = scene.tracks[0]?.agents ?? [];
+      if (a === b || !agents[a] || !agents[b]) return scene;
+      const slots = Uint32Array.from(agents.keys(), (agent) => (agent === a ? b : agent === b ? a : agent));
+      return takePlaces(keyframe, slots).apply(scene);
+    },
+  };
+}
+
+/** @param slots by agent, whose place it takes from the keyframe on: each once, or nothing happens */
+export function takePlaces(keyframe: number, slots: ArrayLike<number>): Command {
+  const order = Array.from(slots);
+  return {
+    label: "Take other places",
     apply: (scene) =>
       updateTrack(scene, (track) => {
-        if (a === b || !track.agents[a] || !track.agents[b] || !track.keyframes[keyframe]) return track;
-        const keyframes = track.keyframes.map((was, index) => {
-          if (index < keyframe) return was;
-          const { positions } = was;
-          const swapped = positions.with([
-            [a, positions.point(b)],
-            [b, positions.point(a)],
-          ]);
-          return { ...was, positions: swapped };
-        });
+        const isBijection = order.length === track.agents.length && new Set(order).size === order.length;
+        if (!isBijection || !track.keyframes[keyframe] || order.every((slot, agent) => slot === agent)) return track;
+        if (order.some((slot) => !track.agents[slot])) return track;
+        const keyframes = track.keyframes.map((was, index) =>
+          index < keyframe ? was : { ...was, positions: was.positions.select(order) },
+        );
         const touched = [...track.segments.keys()].filter((segment) => segment >= keyframe - 1);
         return { ...track, keyframes, segments: chooseAgain(track.segments, touched) };
       }),

@@ -1,10 +1,15 @@
 import { TriangleAlert } from "lucide";
+import type { Formation } from "../../document/formation";
+import { distanceTo, obstacleLabel } from "../../document/obstacle";
 import { agentLabel } from "../../document/queries";
-import { mainTrack } from "../../document/scene";
+import { mainTrack, type Scene } from "../../document/scene";
 import { lengthWithUnit } from "../../document/units";
 import { Icon } from "../../theme/icons";
 import { breachesOf } from "../breaches";
 import { useStudio } from "../studio";
+
+/** A distance that is kept may fall short by this share of it: coordinates are rounded in links and by conversions. */
+const ROUNDING = 1e-4;
 
 /** More would push the panel's own rows out of sight. */
 const MOST = 5;
@@ -14,27 +19,35 @@ export function BreachNote({ index }: { index: number }) {
   const { document } = useStudio();
   const scene = document.scene.value;
   const formation = mainTrack(scene).keyframes[index]?.positions;
-  const breaches = formation ? breachesOf(formation, scene.minimumDistance) : [];
-  if (breaches.length === 0) return null;
+  if (!formation) return null;
   const { units } = scene.stage;
-  const rest = breaches.length - MOST;
+  const entries = [
+    ...breachesOf(formation, scene.minimumDistance).map(({ a, b, distance }) => ({
+      agents: [a, b],
+      words: `${agentLabel(scene, a)} and ${agentLabel(scene, b)}`,
+      distance,
+    })),
+    ...tooNearObstacles(scene, formation),
+  ];
+  if (entries.length === 0) return null;
+  const rest = entries.length - MOST;
   return (
     <div class="note clash">
       <Icon node={TriangleAlert} />
       <div>
         <p>Nearer here than {lengthWithUnit(scene.minimumDistance, units)}:</p>
         <ul class="breaches" aria-label="Too near">
-          {breaches.slice(0, MOST).map(({ a, b, distance }) => (
-            <li key={`${a} ${b}`}>
+          {entries.slice(0, MOST).map(({ agents, words, distance }) => (
+            <li key={words}>
               <button
                 type="button"
                 class="link"
                 onClick={() => {
                   document.activeKeyframe.value = index;
-                  document.selection.value = { kind: "agents", agents: new Set([a, b]) };
+                  document.selection.value = { kind: "agents", agents: new Set(agents) };
                 }}
               >
-                {agentLabel(scene, a)} and {agentLabel(scene, b)}
+                {words}
               </button>{" "}
               <span class="number">{lengthWithUnit(distance, units)}</span>
             </li>
@@ -43,5 +56,18 @@ export function BreachNote({ index }: { index: number }) {
         {rest > 0 && <p>and {rest} more</p>}
       </div>
     </div>
+  );
+}
+
+/** Who stands nearer to an obstacle than they may, or in it. */
+function tooNearObstacles(scene: Scene, formation: Formation) {
+  return scene.obstacles.flatMap(({ shape }, obstacle) =>
+    formation.points().flatMap((at, agent) => {
+      const distance = distanceTo(shape, at);
+      if (distance >= scene.minimumDistance * (1 - ROUNDING)) return [];
+      return [
+        { agents: [agent], words: `${agentLabel(scene, agent)} and ${obstacleLabel(scene, obstacle)}`, distance },
+      ];
+    }),
   );
 }

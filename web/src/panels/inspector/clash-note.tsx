@@ -1,34 +1,116 @@
 import { TriangleAlert } from "lucide";
-import { agentLabel } from "../../document/queries";
+import { takePlaces } from "../../document/commands/swap";
+import { obstacleLabel } from "../../document/obstacle";
+import { agentLabel, keyframeLabel } from "../../document/queries";
+import { mainTrack, type Scene } from "../../document/scene";
 import { formatTime, lengthWithUnit } from "../../document/units";
-import type { SegmentReport } from "../../engine/api";
+import type { Approach, KeyframeBreach, SegmentReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
 import { useStudio } from "../studio";
+import { type NextStep, nextSteps } from "./next-steps";
 
-/** Who comes too near, how near and when, and the way there. */
-export function ClashNote({ report }: { report: SegmentReport }) {
+/** More would push the measures out of sight. */
+const MOST = 3;
+
+/** Who comes too near, how near and when, the way there, and what may help. */
+export function ClashNote({ index, report }: { index: number; report: SegmentReport }) {
   const { document, playback } = useStudio();
   const scene = document.scene.value;
-  const worst = report.clearance;
-  if (!worst) return null;
-  const [first, second] = worst.agents;
+  const clashes = clashesOf(report);
+  const breaches = report.breaches ?? [];
+  const goTo = (time: number) => {
+    playback.pause();
+    playback.seek(time);
+  };
   return (
     <div class="note clash">
       <Icon node={TriangleAlert} />
-      <p>
-        Agents {agentLabel(scene, first)} and {agentLabel(scene, second)} come within{" "}
-        {lengthWithUnit(worst.distance, scene.stage.units)} at {formatTime(worst.time)}.{" "}
-        <button
-          type="button"
-          class="link"
-          onClick={() => {
-            playback.pause();
-            playback.seek(worst.time);
-          }}
-        >
-          Go there
-        </button>
-      </p>
+      <div>
+        {breaches.slice(0, MOST).map((breach) => (
+          <Standing key={JSON.stringify(breach)} scene={scene} segment={index} breach={breach} />
+        ))}
+        {clashes.slice(0, MOST).map((clash) => (
+          <Meeting key={`${clash.agents} ${clash.time}`} scene={scene} clash={clash} onGo={() => goTo(clash.time)} />
+        ))}
+        {clashes.length > MOST && <p>and {clashes.length - MOST} more</p>}
+        <NextSteps index={index} report={report} goTo={goTo} />
+      </div>
     </div>
   );
+}
+
+function NextSteps({ index, report, goTo }: { index: number; report: SegmentReport; goTo(time: number): void }) {
+  const { actions, document, engine } = useStudio();
+  const steps = nextSteps(document.scene.value, index, report);
+  if (steps.length === 0) return null;
+
+  const take = async ({ does }: NextStep) => {
+    switch (does.kind) {
+      case "command":
+        document.perform(does.command);
+        return;
+      case "keyframe":
+        goTo(does.time);
+        actions.get("add-keyframe").run();
+        return;
+      case "assign": {
+        const { keyframes } = mainTrack(document.scene.peek());
+        const [from, to] = [keyframes[index]?.positions, keyframes[index + 1]?.positions];
+        if (from && to) document.perform(takePlaces(index + 1, await engine.assign(from, to)));
+      }
+    }
+  };
+
+  return (
+    <fieldset class="next-steps" aria-label="What may help">
+      {steps.map((step) => (
+        <button key={step.label} type="button" class="button" onClick={() => void take(step)}>
+          {step.label}
+        </button>
+      ))}
+    </fieldset>
+  );
+}
+
+function Meeting({ scene, clash, onGo }: { scene: Scene; clash: Approach; onGo(): void }) {
+  const [first, second] = clash.agents;
+  return (
+    <p>
+      Agents {agentLabel(scene, first)} and {agentLabel(scene, second)} come within{" "}
+      {lengthWithUnit(clash.distance, scene.stage.units)} at {formatTime(clash.time)}.{" "}
+      <button type="button" class="link" onClick={onGo}>
+        Go there
+      </button>
+    </p>
+  );
+}
+
+/** Who is too near in a keyframe already: nothing on the way can mend that. */
+function Standing({ scene, segment, breach }: { scene: Scene; segment: number; breach: KeyframeBreach }) {
+  const { document } = useStudio();
+  const { agent, other, distance } = breach;
+  const index = segment + breach.end;
+  const near = `${lengthWithUnit(Math.max(0, distance), scene.stage.units)} from`;
+  const whom = "agent" in other ? agentLabel(scene, other.agent) : obstacleLabel(scene, other.obstacle);
+  return (
+    <p>
+      {agentLabel(scene, agent)} stands {near} {whom} in{" "}
+      <button
+        type="button"
+        class="link"
+        onClick={() => {
+          document.selection.value = { kind: "keyframe", index };
+        }}
+      >
+        {keyframeLabel(scene, index)}
+      </button>
+      .
+    </p>
+  );
+}
+
+/** The meetings that are too near, worst first; without avoidance the worst alone is known. */
+function clashesOf({ clearance, unsolved, breaches = [] }: SegmentReport): readonly Approach[] {
+  if (unsolved && unsolved.length > 0) return [...unsolved].sort((a, b) => a.distance - b.distance);
+  return clearance && breaches.length === 0 ? [clearance] : [];
 }

@@ -42,7 +42,7 @@ export function TransitionPanel({ index }: { index: number }) {
         />
         <TransitionOptions index={index} segment={segment} choice={view.plan?.report.choice ?? segment.chosen} />
         <PlanningNote view={view} />
-        {view.plan && view.status === "clash" && <ClashNote report={view.plan.report} />}
+        {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
       </Section>
       {view.plan && <Measures plan={view.plan} />}
       <Section>

@@ -3,6 +3,7 @@ import { keyframeLabel } from "../../document/queries";
 import { isInRun, selectedRun } from "../../document/run";
 import { mainTrack } from "../../document/scene";
 import { later } from "../../stage/later";
+import { breachesOf, obstacleBreachCount } from "../breaches";
 import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import type { KeyframeHands } from "./keyframe-keys";
@@ -18,7 +19,7 @@ const keys = later(() => import("./keyframe-keys"));
 
 /** The formations of the show at their times. Arrows walk, a drag retimes, a drag onto another takes its place. */
 export function KeyframeList({ viewport }: { viewport: Viewport }) {
-  const { actions, document, playback, messages, view } = useStudio();
+  const { actions, document, playback, messages, planner, view } = useStudio();
   const [menuAt, setMenuAt] = useState<number | null>(null);
   const list = useRef<HTMLDivElement | null>(null);
   const drag = useRef<LaterDrag>(null);
@@ -33,6 +34,7 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
   const { from, to } = viewport.drawn.value;
   const selection = document.selection.value;
   const run = selectedRun(selection);
+  const plans = planner.segments.value;
   const state = dragging.state.value;
   const paint = { colors: useAgentColors().value, palette: usePalette() };
   const active = Math.min(document.activeKeyframe.value, keyframes.length - 1);
@@ -113,7 +115,9 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
               place={place}
               isSelected={isSelected(index)}
               isFocusable={index === active}
-              minimumDistance={scene.minimumDistance}
+              breachCount={
+                breachesOf(keyframe.positions, scene.minimumDistance).length + obstacleBreachCount(plans, index)
+              }
               isCorner={keyframe.corner && scene.join !== "separate"}
               paint={place.x + THUMBNAIL_WIDTH > from && place.x - THUMBNAIL_WIDTH < to ? paint : null}
               mark={

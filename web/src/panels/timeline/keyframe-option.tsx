@@ -1,7 +1,6 @@
 import type { JSX } from "preact";
 import type { Keyframe } from "../../document/scene";
 import { formatDuration } from "../../document/units";
-import { breachesOf } from "../breaches";
 import { StatusWedge } from "../status";
 import { shortTime } from "./clock";
 import type { KeyframePlace } from "./layout";
@@ -16,8 +15,8 @@ export interface KeyframeOptionProps {
   readonly place: KeyframePlace;
   readonly isSelected: boolean;
   readonly isFocusable: boolean;
-  /** Meters; 0 for none. */
-  readonly minimumDistance: number;
+  /** How many stand too near to another or to an obstacle. */
+  readonly breachCount: number;
   /** A stop where others pass. */
   readonly isCorner: boolean;
   /** Null while the keyframe is far out of sight. */
@@ -31,8 +30,7 @@ export interface KeyframeOptionProps {
 
 /** A keyframe: the formation in small at its time, drawn on to the right for as long as it holds. */
 export function KeyframeOption(props: KeyframeOptionProps) {
-  const { index, name, keyframe, place, mark } = props;
-  const breachCount = breachesOf(keyframe.positions, props.minimumDistance).length;
+  const { index, name, keyframe, place, mark, breachCount } = props;
   const hold = place.right - place.x - THUMBNAIL_WIDTH / 2;
   return (
     <div
@@ -64,7 +62,7 @@ function description({ time, hold }: Keyframe, isCorner: boolean, breachCount: n
     `at ${shortTime(time)}`,
     hold > 0 ? `holds ${formatDuration(hold)}` : "",
     isCorner ? "corner" : "",
-    breachCount > 0 ? `${breachCount} ${breachCount === 1 ? "pair stands" : "pairs stand"} too near` : "",
+    breachCount > 0 ? `${breachCount} too near` : "",
   ];
   return words.filter(Boolean).join(", ");
 }

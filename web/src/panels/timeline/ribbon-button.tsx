@@ -69,7 +69,6 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
         aria-label={description(names, state, method, distance, momentTime)}
         aria-description={before ? beforeWords(document.scene.value, before) : undefined}
         data-tip={before ? beforeWords(document.scene.value, before) : undefined}
-        data-tip-side="top"
         onClick={(event) => {
           if (event.detail > 0) choose(event.clientX, event.currentTarget);
           else document.selection.value = { kind: "transition", index };
@@ -84,7 +83,7 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
             />
             {progress !== null && <path class="progress" d={ribbonStart(progress, width, HEIGHT)} />}
           </g>
-          {was !== null && <path class="was" d={bar(was)} />}
+          {was !== null && status !== "clash" && <path class="was" d={bar(was)} />}
           {status === "clash" && <path class="cut" d={bar(cut)} />}
         </svg>
         {place.width >= ROOM_FOR_NUMBER && (
