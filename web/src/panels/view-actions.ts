@@ -5,7 +5,7 @@ import type { ToolName } from "../tools/toolbox";
 import type { ActionParts, Doing, Doings } from "./doing";
 
 type ViewId =
-  | `tool-${ToolName}`
+  | `tool-${Exclude<ToolName, "obstacle">}`
   | "place-in-middle"
   | "cancel"
   | "perspective"

@@ -49,6 +49,7 @@ export function outlinedGroup(
 
 /** A good show has no clash to mark, and at first no group is pointed at. */
 const marks = later(() => import("./layers/clashes"));
+const inTheWay = later(() => import("./layers/obstacles"));
 const edges = later(() => import("./layers/hull-edge"));
 
 /**
@@ -80,7 +81,9 @@ export function createMotionPainter(
       drawTies(context, frame, scenery.ties, t, picture.isTying ? "all" : picture.isMarked);
     }
     if (picture.isTying) {
-      drawCuts(context, frame, (track.keyframes[show.keyframeBefore(time)]?.adjacency ?? scene.adjacency).cuts);
+      const { cuts, obstacleTies } = track.keyframes[show.keyframeBefore(time)]?.adjacency ?? scene.adjacency;
+      drawCuts(context, frame, cuts);
+      if (obstacleTies.length > 0) inTheWay()?.drawObstacleTies(context, frame, scene.obstacles, obstacleTies);
     }
     if (layers.ghosts) drawAllPaths(context);
   }

@@ -1,4 +1,5 @@
 import type { Point } from "../document/formation";
+import { obstacleLabel } from "../document/obstacle";
 import { picked, pickedInside } from "../document/pick";
 import { agentLabel, selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
@@ -10,7 +11,16 @@ import { type Handle, handleCursor, selectionBounds } from "../stage/handles";
 import { type BoxGesture, boxCommand } from "./box-gesture";
 import type { Guide } from "./guides";
 import { beginMove, type MoveGesture, moveTo } from "./move-gesture";
-import { agentSelection, type Editor, isDrag, NO_OVERLAY, type Pointing, type Press, type Tool } from "./tool";
+import {
+  agentSelection,
+  type Editor,
+  isDrag,
+  metersOf,
+  NO_OVERLAY,
+  type Pointing,
+  type Press,
+  type Tool,
+} from "./tool";
 
 type SelectState =
   | { readonly kind: "idle"; readonly over: "stage" | "agent" | Handle }
@@ -37,6 +47,9 @@ type SelectState =
       readonly way: "replace" | "add" | "toggle";
     };
 
+/** Pixels a marquee may have and still be a click. */
+const CLICK = 4;
+
 const IDLE: SelectState = { kind: "idle", over: "stage" };
 
 /** Click, marquee, move, turn and scale. */
@@ -52,7 +65,10 @@ export const selectTool: Tool<SelectState> = {
       case "release": {
         const last = drag(state, event, editor);
         if (last.kind === "pointing" && last.onClick) editor.document.selection.value = last.onClick;
-        if (last.kind === "brushing") announceSelected(editor);
+        if (last.kind === "brushing") {
+          pickObstacle(last.origin, event, editor);
+          announceSelected(editor);
+        }
         closeGesture(last, "commit");
         return hover(event, editor);
       }
@@ -158,6 +174,15 @@ function brush(state: Extract<SelectState, { kind: "brushing" }>, event: Pointin
   return { ...state, current: event.at };
 }
 
+/** A click beside all agents may mean what stands there. */
+function pickObstacle(origin: Point, event: Pointing, editor: Editor): void {
+  const { document } = editor;
+  const isClick = Math.hypot(event.at[0] - origin[0], event.at[1] - origin[1]) <= metersOf(CLICK, editor);
+  if (!isClick || event.shift || event.ctrl || document.selection.peek().kind !== "none") return;
+  const index = editor.obstacleAt(event);
+  if (index !== null) document.selection.value = { kind: "obstacle", index };
+}
+
 function hover(event: Pointing, editor: Editor): SelectState {
   const over = editor.handleAt(event) ?? (editor.agentAt(event) === null ? "stage" : "agent");
   return { kind: "idle", over };
@@ -169,7 +194,12 @@ function closeGesture(state: SelectState, how: "commit" | "cancel"): void {
 
 function announceSelected(editor: Editor): void {
   const scene = editor.document.scene.peek();
-  const [first, ...rest] = selectedAgents(scene, editor.document.selection.peek());
+  const selection = editor.document.selection.peek();
+  if (selection.kind === "obstacle") {
+    editor.announce(`${obstacleLabel(scene, selection.index)} selected`);
+    return;
+  }
+  const [first, ...rest] = selectedAgents(scene, selection);
   if (first === undefined) editor.announce("Nothing selected");
   else
     editor.announce(rest.length === 0 ? `${agentLabel(scene, first)} selected` : `${rest.length + 1} agents selected`);

@@ -1,9 +1,10 @@
 import type { ReadonlySignal, Signal } from "@preact/signals";
 import type { Point } from "../document/formation";
+import type { ObstacleShape } from "../document/scene";
 import type { ShapeName as Shapes } from "../shapes/shape";
 import type { Spacing as Spacings } from "../shapes/spacing";
 
-export type ToolName = "select" | "draw" | "shape" | "tie" | "group" | "pan";
+export type ToolName = "select" | "draw" | "shape" | "tie" | "group" | "obstacle" | "pan";
 export type ShapeName = Shapes;
 export type Spacing = Spacings;
 
@@ -18,6 +19,8 @@ export type Overlay =
       readonly places: readonly Point[];
     }
   | { readonly kind: "shape"; readonly places: readonly Point[]; readonly outline: readonly Point[] }
+  /** An obstacle under way; `next` is where a polygon's next corner would be. */
+  | { readonly kind: "outline"; readonly shape: ObstacleShape; readonly next: Point | null }
   | { readonly kind: "tie"; readonly from: number; readonly to: Point; readonly target: number | null }
   | {
       readonly kind: "guides";
@@ -34,6 +37,6 @@ export interface Toolbox {
   readonly overlay: ReadonlySignal<Overlay>;
   /** CSS cursor of the stage. */
   readonly cursor: ReadonlySignal<string>;
-  /** Puts what Draw or Shape has in hand into the middle of what is seen: for hands without a pointer. */
+  /** Puts what the tool in hand makes into the middle of what is seen, or ends what it is making: for hands without a pointer. */
   placeInMiddle(): void;
 }

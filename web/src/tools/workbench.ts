@@ -6,6 +6,7 @@ import { momentAt } from "../document/timing";
 import { createEditor, type ToolParts } from "./create-editor";
 import { drawTool } from "./draw";
 import { groupTool } from "./group";
+import { obstacleTool } from "./obstacle";
 import { panTool } from "./pan";
 import { settleInMiddle } from "./place";
 import { selectTool, unitAt } from "./select";
@@ -35,6 +36,7 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
     shape: inHand(shapeTool, editor),
     tie: inHand(tieTool, editor),
     group: inHand(groupTool, editor),
+    obstacle: inHand(obstacleTool, editor),
     pan: inHand(panTool, editor),
   };
   let isPressed = false;
@@ -42,11 +44,13 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
   let isSwallowed = false;
 
   function giveUp(): boolean {
-    const wasPressed = isPressed;
+    const hand = hands[active.peek()];
+    // A polygon stays under way between its clicks.
+    const wasAtWork = isPressed || hand.overlay.peek().kind === "outline";
     isPressed = false;
     isSwallowed = false;
-    hands[active.peek()].send({ kind: "cancel" });
-    return wasPressed;
+    hand.send({ kind: "cancel" });
+    return wasAtWork;
   }
 
   function stepOut(): boolean {
@@ -90,6 +94,7 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
     cancel: () => giveUp() || stepOut(),
     placeInMiddle() {
       const tool = active.peek();
+      hands[tool].settle();
       if (tool !== "draw" && tool !== "shape") return;
       settleShow(parts);
       void settleInMiddle(editor, tool === "draw" ? "line" : shape.peek());
@@ -111,7 +116,8 @@ function settleShow({ document, playback, announce }: ToolParts): boolean {
 
 /** Whether the rest of a press is for nothing: it went to a keyframe, where the agent is somewhere else. */
 function settlePress(press: Press, tool: ToolName, parts: ToolParts, editor: Editor): boolean {
-  if (tool === "pan") return false;
+  // Neither the view nor what stands on the stage belongs to a keyframe.
+  if (tool === "pan" || tool === "obstacle") return false;
   const agent = editor.agentAt(press);
   const wasMoving = settleShow(parts);
   if (!wasMoving || tool === "draw" || tool === "shape") return false;
@@ -124,6 +130,7 @@ function settlePress(press: Press, tool: ToolName, parts: ToolParts, editor: Edi
 /** A tool with the state it is in. */
 interface Hand {
   send(event: ToolEvent): void;
+  settle(): void;
   readonly overlay: ReadonlySignal<Overlay>;
   readonly cursor: ReadonlySignal<string>;
 }
@@ -133,6 +140,9 @@ function inHand<State>(tool: Tool<State>, editor: Editor): Hand {
   return {
     send(event) {
       state.value = tool.step(state.peek(), event, editor);
+    },
+    settle() {
+      if (tool.settle) state.value = tool.settle(state.peek(), editor);
     },
     overlay: computed(() => tool.overlay(state.value) ?? NO_OVERLAY),
     cursor: computed(() => tool.cursor(state.value)),

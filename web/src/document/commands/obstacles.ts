@@ -1,7 +1,7 @@
-import { updateAdjacency, updateTrack } from "../edit";
 import { clipText, LIMITS } from "../limits";
-import { type AdjacencySpec, mainTrack, type Obstacle, type ObstacleShape, type Scene } from "../scene";
+import type { AdjacencySpec, Obstacle, ObstacleShape, Scene } from "../scene";
 import type { Command } from "../store";
+import { changeScope, WHOLE_SCENE } from "./ties";
 
 /** Something to go around, throughout the show. Nothing happens where its outline is none or there are too many. */
 export function addObstacle(shape: ObstacleShape): Command {
@@ -37,7 +37,9 @@ export function deleteObstacle(index: number): Command {
     label: "Delete obstacle",
     apply: (scene) =>
       scene.obstacles[index]
-        ? changeTies({ ...scene, obstacles: scene.obstacles.toSpliced(index, 1) }, (was) => withoutObstacle(was, index))
+        ? changeScope({ ...scene, obstacles: scene.obstacles.toSpliced(index, 1) }, WHOLE_SCENE, (was) =>
+            withoutObstacle(was, index),
+          )
         : scene,
   };
 }
@@ -64,17 +66,6 @@ function updateObstacle(scene: Scene, index: number, change: (obstacle: Obstacle
   const obstacle = scene.obstacles[index];
   const next = obstacle && change(obstacle);
   return next && next !== obstacle ? { ...scene, obstacles: scene.obstacles.with(index, next) } : scene;
-}
-
-/** Every adjacency of the scene changed, the keyframes' own as well. */
-function changeTies(scene: Scene, change: (adjacency: AdjacencySpec) => AdjacencySpec): Scene {
-  const keyframes = mainTrack(scene).keyframes.map((was) => {
-    const adjacency = was.adjacency && change(was.adjacency);
-    return adjacency === was.adjacency ? was : { ...was, adjacency };
-  });
-  const isSame = keyframes.every((keyframe, i) => keyframe === mainTrack(scene).keyframes[i]);
-  const next = isSame ? scene : updateTrack(scene, (track) => ({ ...track, keyframes }));
-  return updateAdjacency(next, change);
 }
 
 function withoutObstacle(was: AdjacencySpec, gone: number): AdjacencySpec {

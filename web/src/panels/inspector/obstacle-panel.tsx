@@ -1,15 +1,20 @@
+import { tiesTo, tieToObstacle, untieFromObstacle } from "../../document/commands/obstacle-ties";
 import { deleteObstacle, renameObstacle, setObstacleShape } from "../../document/commands/obstacles";
+import { WHOLE_SCENE } from "../../document/commands/ties";
 import type { Point } from "../../document/formation";
 import { LIMITS } from "../../document/limits";
 import { middleOf, obstacleLabel, shapeMoved } from "../../document/obstacle";
+import { agentLabel } from "../../document/queries";
 import type { ObstacleShape } from "../../document/scene";
+import type { Command } from "../../document/store";
 import { metersPer } from "../../document/units";
 import { NumberBox } from "../controls/number-box";
+import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
 import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
 import { Head } from "./head";
-import { coordinateQuantity, isLongUnit, sizeQuantity } from "./quantities";
+import { coordinateQuantity, FACTOR, isLongUnit, sizeQuantity } from "./quantities";
 import { Section } from "./section";
 
 /** Something to go around: its name, where it is and how large, to the number. */
@@ -69,8 +74,45 @@ export function ObstaclePanel({ index }: { index: number }) {
           </button>
         </div>
       </Section>
+      <TiedAgents index={index} />
     </>
   );
+}
+
+/** Who keeps their clearance to it, and how firmly. */
+function TiedAgents({ index }: { index: number }) {
+  const { document } = useStudio();
+  const scene = document.scene.value;
+  const ties = tiesTo(scene, index);
+  if (ties.length === 0) return null;
+  return (
+    <Section title="Tied to it">
+      {ties.map(([agent, factor]) => (
+        <QuantityRow
+          key={agent}
+          label={`Weight of ${agentLabel(scene, agent)}`}
+          shortLabel={agentLabel(scene, agent)}
+          value={factor}
+          quantity={FACTOR}
+          tick={1}
+          command={(value) => tieToObstacle(WHOLE_SCENE, agent, index, value)}
+        />
+      ))}
+      <div class="inspector-buttons">
+        <button type="button" class="button" onClick={() => document.perform(untieAll(index))}>
+          Untie
+        </button>
+      </div>
+    </Section>
+  );
+}
+
+function untieAll(index: number): Command {
+  return {
+    label: "Untie from the obstacle",
+    apply: (scene) =>
+      tiesTo(scene, index).reduce((was, [agent]) => untieFromObstacle(WHOLE_SCENE, agent, index).apply(was), scene),
+  };
 }
 
 function PlaceRow({ label, at, onCommit }: { label: string; at: Point; onCommit(to: Point): void }) {

@@ -1,4 +1,5 @@
-import type { Obstacle, ObstacleShape } from "../../document/scene";
+import { nearestOn } from "../../document/obstacle";
+import type { AdjacencySpec, Obstacle, ObstacleShape } from "../../document/scene";
 import type { Frame } from "../frame";
 
 const HATCH_STEP = 6;
@@ -26,6 +27,29 @@ export function drawObstacles(
     context.strokeStyle = index === selected ? frame.palette.you : frame.palette.ink3;
     context.stroke();
   });
+}
+
+/** Who is tied to an obstacle, by a line to the nearest place of its outline. */
+export function drawObstacleTies(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  obstacles: readonly Obstacle[],
+  ties: AdjacencySpec["obstacleTies"],
+): void {
+  context.lineWidth = 1;
+  context.strokeStyle = frame.palette.tie;
+  context.globalAlpha = 0.5;
+  context.beginPath();
+  for (const [agent, index] of ties) {
+    const shape = obstacles[index]?.shape;
+    const [x, y] = [frame.places[2 * agent], frame.places[2 * agent + 1]];
+    if (!shape || x === undefined || y === undefined) continue;
+    const [toX, toY] = nearestOn(shape, [x, y]);
+    context.moveTo(frame.screenX(x), frame.screenY(y));
+    context.lineTo(frame.screenX(toX), frame.screenY(toY));
+  }
+  context.stroke();
+  context.globalAlpha = 1;
 }
 
 /** Adds an outline to the path. */

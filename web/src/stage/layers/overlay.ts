@@ -1,6 +1,7 @@
 import type { Overlay } from "../../tools/toolbox";
 import type { Frame } from "../frame";
 import { crisp } from "./crisp";
+import { traceShape } from "./obstacles";
 import { drawPill } from "./pill";
 import { drawPlaces, drawStroke } from "./stroke";
 
@@ -19,6 +20,9 @@ export function drawOverlay(context: CanvasRenderingContext2D, frame: Frame, ove
     case "shape":
       drawStroke(context, frame, overlay.outline, false);
       drawPlaces(context, frame, overlay.places);
+      break;
+    case "outline":
+      drawOutline(context, frame, overlay);
       break;
     case "tie":
       drawTiePreview(context, frame, overlay);
@@ -41,6 +45,27 @@ function drawMarquee(context: CanvasRenderingContext2D, frame: Frame, overlay: O
   context.lineWidth = 1;
   context.strokeStyle = frame.palette.you;
   context.strokeRect(left, top, right - left, bottom - top);
+}
+
+/** An obstacle being made: its edge, and the way to the next corner. */
+function drawOutline(context: CanvasRenderingContext2D, frame: Frame, overlay: Overlay & { kind: "outline" }): void {
+  const { shape, next } = overlay;
+  context.lineWidth = 1.5;
+  context.strokeStyle = frame.palette.you;
+  context.beginPath();
+  if (shape.kind === "circle") traceShape(context, frame, shape);
+  else {
+    for (const [x, y] of shape.points) context.lineTo(frame.screenX(x), frame.screenY(y));
+    if (next) context.lineTo(frame.screenX(next[0]), frame.screenY(next[1]));
+  }
+  context.stroke();
+  context.fillStyle = frame.palette.sheet;
+  context.beginPath();
+  for (const [x, y] of shape.kind === "circle" ? [] : shape.points) {
+    context.roundRect(frame.screenX(x) - 4, frame.screenY(y) - 4, 8, 8, 2);
+  }
+  context.fill();
+  context.stroke();
 }
 
 /** A tie being drawn; firm once it has reached an agent. */
