@@ -14,7 +14,8 @@ pub(super) enum Clock {
     Linear,
     /// It eases where the agents stop, at the start and at the end, and runs at the pace of time where they pass.
     Eased([bool; 2]),
-    /// t runs so that the formation's RMS speed is the same throughout.
+    /// t runs so that the formation's RMS speed is the same throughout the segment. Where agents pass a keyframe their direction stays,
+    /// but the speed may jump: that of each segment follows from its way and its time.
     Even(Odometer),
 }
 

@@ -93,8 +93,17 @@ impl Planner {
         let same = |(planes, power): (&Arc<Planes>, f64)| (Same(planes.clone()), power);
         let recipe = Recipe::Middle { whole: Same(whole.clone()), first: same(first), last: same(last) };
         self.planes(chain, recipe, || {
-            let turned = product(whole.matrix(1.0).as_ref(), first.0.matrix(-first.1).as_ref());
-            Planes::of(product(last.0.matrix(-last.1).as_ref(), turned.as_ref()).as_ref())
+            // At a stop the segment's own rotation leads: that part of its power is only left out.
+            let is_whole = |part: &Arc<Planes>| Arc::ptr_eq(part, whole);
+            let done: f64 = [first, last].into_iter().filter(|(part, _)| is_whole(part)).map(|(_, power)| power).sum();
+            let mut left = whole.matrix(1.0 - done);
+            if !is_whole(first.0) {
+                left = product(left.as_ref(), first.0.matrix(-first.1).as_ref());
+            }
+            if !is_whole(last.0) {
+                left = product(last.0.matrix(-last.1).as_ref(), left.as_ref());
+            }
+            Planes::of(left.as_ref())
         })
     }
 
