@@ -1,5 +1,7 @@
 //! Formations and scenes to time the engine on; seeded, so that every run times the same.
 
+pub mod crowds;
+
 use std::sync::Arc;
 
 use eigenform::choice::{Alignment, Join, MethodName, Order};

@@ -42,7 +42,7 @@ fn bad_input_is_two_and_says_where() {
     desk.put("other.json", "{\"format\": \"else\", \"version\": 1, \"keyframes\": []}");
     desk.put("newer.json", &SHOW.replace("\"version\": 1", "\"version\": 2"));
     desk.put("unknown.json", &SHOW.replace("\"frameRate\"", "\"frameRatio\""));
-    desk.put("avoiding.json", &SHOW.replace("\"linear\"", "\"linear\", \"avoidance\": true"));
+    desk.put("crowding.json", &SHOW.replace("\"linear\"", "\"crowd\""));
     desk.put("empty.csv", "");
     desk.put("cut.csv", "keyframe,time,agent,group,x,y\n0,0,a,,1\n");
     desk.put("crowd.txt", "# framerate: 10\n1 0 0 0\n1 1 1 1\n");
@@ -51,7 +51,7 @@ fn bad_input_is_two_and_says_where() {
         (&["check", "other.json"], "not-a-scene: "),
         (&["check", "newer.json"], "newer-version: "),
         (&["check", "unknown.json"], "unknown-field: "),
-        (&["motion", "avoiding.json"], "unsupported: "),
+        (&["motion", "crowding.json"], "unsupported: "),
         (&["check", "empty.csv"], "empty: "),
         (&["check", "cut.csv"], "cut-row: "),
         (&["motion", "crowd.txt"], "recording: "),
@@ -78,9 +78,6 @@ fn values_of_later_versions_are_unsupported() {
     let desk = Desk::new();
     for arguments in [
         &["motion", "show.json", "--method", "crowd"][..],
-        &["motion", "show.json", "--avoidance", "true"],
-        &["motion", "show.json", "--avoidance"],
-        &["motion", "--avoidance", "show.json"],
         &["assign", "show.json", "--from", "0", "--to", "1", "--cost", "neighbors"],
         &["assign", "show.json", "--from", "0", "--to", "1", "--lambda", "0.9"],
     ] {

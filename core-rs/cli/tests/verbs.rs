@@ -206,6 +206,24 @@ fn overrides_count_and_leave_the_rest() {
 }
 
 #[test]
+fn two_who_change_places_are_kept_apart() {
+    let desk = Desk::new();
+    let straight = ["keyframes.csv", "--method", "linear", "--minimum-distance", "0.4"];
+    let measured = |typed: &[&str]| parsed(&desk.answer(&[&["measure", "--json"], &straight[..], typed].concat()))["segments"][0].clone();
+    let (free, apart) = (measured(&[]), measured(&["--avoidance"]));
+    assert_eq!(free["clearance"]["distance"], 0.0);
+    assert_eq!((&free["unsolved"], &free["deviation"]), (&Value::Null, &Value::Null));
+    assert_eq!((&apart["unsolved"], &apart["guideClearance"]["distance"]), (&json!([]), &json!(0.0)));
+    assert!(number(&apart["clearance"]["distance"]) >= 0.4 - 1e-6 && number(&apart["deviation"]["max"]) > 0.2, "{apart}");
+    // At frames, as at the keyframes, an instant asked for is the frame itself.
+    let at = |typed: &[&str]| desk.answer(&[&["motion", "--avoidance"], &straight[..], typed].concat());
+    let [frames, instants] = [&["--json"][..], &["--at", "0,0.5,1,2"]].map(|typed| parsed(&at(typed)));
+    for (instant, frame) in [0, 15, 30, 60].into_iter().enumerate() {
+        assert_eq!(instants["positions"][instant], frames["positions"][frame]);
+    }
+}
+
+#[test]
 fn the_same_scene_gives_the_same_bytes() {
     let desk = Desk::new();
     for arguments in

@@ -8,6 +8,7 @@
 pub mod adjacency;
 pub mod assignment;
 pub mod choice;
+pub mod edits;
 pub mod error;
 pub mod formation;
 pub mod grouping;

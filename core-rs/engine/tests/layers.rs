@@ -5,10 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may name of the others.
-const MAY_KNOW: [(&str, &[&str]); 13] = [
+const MAY_KNOW: [(&str, &[&str]); 14] = [
     ("adjacency", &["error", "formation"]),
     ("assignment", &["formation"]),
     ("choice", &[]),
+    ("edits", &["formation", "motion", "obstacle"]),
     // `scene` only in the words of its limits.
     ("error", &["scene"]),
     ("formation", &[]),
@@ -16,7 +17,23 @@ const MAY_KNOW: [(&str, &[&str]); 13] = [
     ("measure", &["adjacency", "formation", "motion"]),
     ("motion", &["formation"]),
     ("obstacle", &[]),
-    ("perform", &["adjacency", "choice", "error", "formation", "grouping", "measure", "motion", "scene", "spectral", "transition"]),
+    (
+        "perform",
+        &[
+            "adjacency",
+            "choice",
+            "edits",
+            "error",
+            "formation",
+            "grouping",
+            "measure",
+            "motion",
+            "obstacle",
+            "scene",
+            "spectral",
+            "transition",
+        ],
+    ),
     ("scene", &["adjacency", "choice", "error", "formation", "obstacle"]),
     ("spectral", &["adjacency", "assignment", "choice", "formation"]),
     ("transition", &["adjacency", "choice", "formation", "grouping", "spectral"]),

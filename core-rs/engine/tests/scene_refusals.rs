@@ -154,7 +154,6 @@ fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
         (with_field("agents", r#"[{}, { "maxSpeed": @ }, {}]"#), "agents[1].maxSpeed", "null", "2.5"),
         (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),
         (with_segment(r#""method": "@""#), "segments[0].method", "auto", "crowd"),
-        (with_segment(r#""avoidance": @"#), "segments[0].avoidance", "false", "true"),
         (with_segment(r#""path": @"#), "segments[0].path", "null", "[[0, 0]]"),
         (with_segment(r#""assignment": @"#), "segments[0].assignment", "null", r#"{ "cost": "squared" }"#),
         (with_segment(r#""crowd": @"#), "segments[0].crowd", "null", "{}"),

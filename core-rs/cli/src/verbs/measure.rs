@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use eigenform::choice::{Choice, MethodName, Timing};
 use eigenform::measure::Measures;
-use eigenform::perform::{Candidate, Performed, perform};
+use eigenform::perform::{Avoided, Candidate, Performed, perform};
 use eigenform::scene::{Opened, Scene, Segment, TransitionSpec};
 use serde::Serialize;
 
@@ -23,6 +23,8 @@ struct SegmentReport<'p> {
     options: Options,
     #[serde(flatten)]
     measures: &'p Measures,
+    #[serde(flatten)]
+    avoided: Option<&'p Avoided>,
     candidates: Vec<CandidateReport>,
 }
 
@@ -71,6 +73,7 @@ fn report<'p>(transition: &TransitionSpec, performed: &'p Performed) -> SegmentR
         method: performed.choice.method,
         options: options(&performed.choice, transition),
         measures: &performed.measures,
+        avoided: performed.avoided.as_ref(),
         candidates: performed.candidates.iter().map(|candidate| candidate_report(candidate, transition)).collect(),
     }
 }

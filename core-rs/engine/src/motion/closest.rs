@@ -138,7 +138,7 @@ impl Nearest {
 }
 
 /// What separates two agents at one instant, in plan or in space: most motions are in plan, and most of the time goes here.
-trait Separation: Copy + Sub<Output = Self> {
+pub(super) trait Separation: Copy + Sub<Output = Self> {
     fn dot(self, other: Self) -> f64;
 
     /// This and so much of a change.
@@ -171,12 +171,12 @@ fn apart(ends: [&[DVec2]; 2], (a, b): (u32, u32)) -> [DVec2; 2] {
 }
 
 /// The same in space.
-fn apart_in_space(ends: [Places<'_>; 2], (a, b): (u32, u32)) -> [DVec3; 2] {
+pub(super) fn apart_in_space(ends: [Places<'_>; 2], (a, b): (u32, u32)) -> [DVec3; 2] {
     ends.map(|places| places.at(a as usize) - places.at(b as usize))
 }
 
 /// The least squared length between two separations, and when, 0–1: the start when it stays the same.
-fn nearest_approach<V: Separation>([from, to]: [V; 2]) -> (f64, f64) {
+pub(super) fn nearest_approach<V: Separation>([from, to]: [V; 2]) -> (f64, f64) {
     let change = to - from;
     let closing = -from.dot(change);
     let change_squared = change.dot(change);

@@ -2,6 +2,7 @@
 //!
 //! A [`Motion`] is samples and nothing else: it knows neither scenes nor methods, and between samples agents move straight.
 
+mod clashes;
 mod closest;
 mod pair_list;
 
@@ -9,6 +10,7 @@ use glam::DVec2;
 
 use crate::formation::{Places, rise};
 
+pub use clashes::clashes;
 pub use closest::{Approach, Closeness, closeness};
 
 /// Sample times nearer than this are one, seconds: round-off of frame / frame rate, far below any frame.

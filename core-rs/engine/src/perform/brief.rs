@@ -6,7 +6,7 @@ use super::levels::node_way;
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Choice, Join, MethodName, Timing};
 use crate::formation::Formation;
-use crate::scene::{Group, Keyframe, Scene, Segment, TransitionSpec};
+use crate::scene::{Group, Keyframe, Obstacle, Scene, Segment, TransitionSpec};
 use crate::transition::{Chain, End, Way, Ways};
 
 /// Two equal briefs have the same motion. Large parts are compared by identity.
@@ -35,6 +35,8 @@ pub(super) struct Brief {
     pub(super) end: f64,
     pub(super) frame_rate: f64,
     pub(super) minimum_distance: f64,
+    pub(super) obstacles: Arc<Vec<Obstacle>>,
+    pub(super) seed: u32,
 }
 
 /// A keyframe as a segment sees it.
@@ -114,6 +116,8 @@ impl Brief {
             end: track.keyframes[index + 1].time,
             frame_rate: scene.frame_rate,
             minimum_distance: scene.minimum_distance,
+            obstacles: scene.obstacles.clone(),
+            seed: scene.seed,
         }
     }
 
@@ -198,5 +202,6 @@ impl PartialEq for Brief {
             && self.beside == other.beside
             && meets(self) == meets(other)
             && numbers(self) == numbers(other)
+            && (!self.own.transition.avoidance || self.seed == other.seed && Arc::ptr_eq(&self.obstacles, &other.obstacles))
     }
 }

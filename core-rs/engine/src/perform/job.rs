@@ -1,16 +1,18 @@
 //! One segment's work, in steps: a busy worker cannot hear "cancel", so it pauses between any two.
 //!
-//! Ties of the keyframes → what auto chooses, here and next door → the plan → the clock → samples → numbers.
+//! Ties of the keyframes → what auto chooses, here and next door → the plan → the clock → samples → keeping apart → numbers.
 
 use std::sync::Arc;
 
 use super::Performer;
+use super::avoid::{Avoiding, Kept};
 use super::brief::Brief;
 use super::clock::{Clock, path_parameters};
 use super::performed::{Candidate, Performed};
 use super::sampling::Sampling;
 use super::trial::{Trial, chosen};
 use crate::choice::Choice;
+use crate::edits::Deviation;
 use crate::error::Error;
 use crate::measure;
 use crate::motion::{Motion, sample_times};
@@ -23,8 +25,11 @@ const PLANNING_SHARE: f64 = 0.7;
 /// How much is learning the path of an even clock.
 const CLOCK_SHARE: f64 = 0.05;
 
-/// How much is evaluating samples; the rest is measuring them.
-const MOVING_SHARE: f64 = 0.2;
+/// How much is evaluating samples.
+const MOVING_SHARE: f64 = 0.1;
+
+/// How much is keeping agents apart; the rest is measuring.
+const AVOIDING_SHARE: f64 = 0.1;
 
 /// Steps that one spectral choice takes: eigenbases, pairing, rotation planes.
 const TYPICAL_STEPS: f64 = 6.0;
@@ -71,6 +76,8 @@ enum Stage {
     Clocking(Plan, Sampling),
     /// Frames come a few at a time.
     Moving(Plan, Clock, Vec<f64>, Sampling),
+    /// Whoever is too near is kept apart.
+    Avoiding(Plan, Clock, Sampling, Box<Avoiding>),
 }
 
 struct Choosing {
@@ -113,6 +120,7 @@ impl SegmentJob {
         let matrices = PLAN_MATRICES[usize::from(work.brief.stops() != [true, true])];
         let bytes = size_of_val(result.motion.positions())
             + size_of_val(result.motion.heights().unwrap_or_default())
+            + result.deviation.as_ref().map_or(0, Deviation::byte_count)
             + matrices * agent_count * agent_count * size_of::<f64>();
         performer.performed.put(work.brief.clone(), result.clone(), bytes);
         performer.planner.tidy();
@@ -138,10 +146,22 @@ impl Work {
                 }
             }
             Stage::Moving(plan, clock, times, mut samples) => {
-                if !samples.step() {
-                    return Ok(Some(self.finish(&plan, clock, times, samples)));
+                if samples.step() {
+                    Stage::Moving(plan, clock, times, samples)
+                } else {
+                    let positions = std::mem::take(&mut samples.positions);
+                    let guide = Motion::sampled(times, plan.chain.agent_count(), positions, samples.heights.take());
+                    match Avoiding::of(&self.brief, guide) {
+                        Ok(avoiding) => Stage::Avoiding(plan, clock, samples, Box::new(avoiding)),
+                        Err(motion) => return Ok(Some(self.finish(&plan, clock, samples, Kept::as_is(motion)))),
+                    }
                 }
-                Stage::Moving(plan, clock, times, samples)
+            }
+            Stage::Avoiding(plan, clock, samples, mut avoiding) => {
+                if let Some(kept) = avoiding.step(&self.brief, &plan.ways.own.choice) {
+                    return Ok(Some(self.finish(&plan, clock, samples, kept)));
+                }
+                Stage::Avoiding(plan, clock, samples, avoiding)
             }
         };
         Ok(None)
@@ -243,10 +263,10 @@ impl Work {
         Stage::Moving(plan, clock, times, Sampling::new(transition, ts, has_heights))
     }
 
-    fn finish(&self, plan: &Plan, clock: Clock, times: Vec<f64>, samples: Sampling) -> Performed {
+    fn finish(&self, plan: &Plan, clock: Clock, samples: Sampling, kept: Kept) -> Performed {
         let (chain, brief) = (&plan.chain, &self.brief);
         let [source, target] = [&chain.ends()[chain.at()], &chain.ends()[chain.at() + 1]];
-        let motion = Motion::sampled(times, chain.agent_count(), samples.positions, samples.heights);
+        let Kept { motion, deviation, avoided } = kept;
         let (measures, curves) = measure::measure(&motion, &samples.ts, [&source.adjacency, &target.adjacency], brief.minimum_distance);
         Performed {
             choice: plan.ways.own.choice,
@@ -254,6 +274,8 @@ impl Work {
             motion,
             measures,
             curves,
+            avoided,
+            deviation,
             transition: samples.transition,
             clock,
             start: brief.start,
@@ -271,6 +293,7 @@ impl Work {
             Stage::Planning(_) => PLANNING_SHARE * self.planned(0, 0),
             Stage::Clocking(_, path) => PLANNING_SHARE + CLOCK_SHARE * path.progress(),
             Stage::Moving(.., samples) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE * samples.progress(),
+            Stage::Avoiding(.., avoiding) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + AVOIDING_SHARE * avoiding.progress(),
         }
     }
 

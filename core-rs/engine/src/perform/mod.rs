@@ -4,6 +4,7 @@
 //! agent performs two segments anew and nothing else (four where segments meet with one velocity, six where they share bases too). Long work is a [`SegmentJob`] that is stepped.
 
 mod auto;
+mod avoid;
 mod brief;
 mod clock;
 mod graphs;
@@ -22,9 +23,10 @@ use crate::adjacency::{Adjacency, AdjacencySpec};
 use crate::choice::Choice;
 use crate::error::Error;
 use crate::recent::Recent;
-use crate::scene::{Group, Scene};
+use crate::scene::{Group, Obstacle, Scene};
 use crate::transition::Planner;
 
+pub use avoid::{Avoided, Suggestion};
 pub use job::{SegmentJob, Step};
 pub use performed::{Candidate, Performed, Report};
 pub use show::Performance;
@@ -45,6 +47,7 @@ pub struct Performer {
     levels: Levels,
     performed: Recent<Brief, Arc<Performed>>,
     groups: Arc<Vec<Group>>,
+    obstacles: Arc<Vec<Obstacle>>,
     adjacency: Arc<AdjacencySpec>,
     own_adjacency: Vec<Arc<AdjacencySpec>>,
 }
@@ -58,6 +61,7 @@ impl Default for Performer {
             levels: Levels::default(),
             performed: Recent::new(MOTION_BYTE_LIMIT),
             groups: Arc::default(),
+            obstacles: Arc::default(),
             adjacency: Arc::default(),
             own_adjacency: Vec::new(),
         }
@@ -68,6 +72,7 @@ impl Performer {
     /// The same scene with parts that equal those of the scene before as the same objects: text that is parsed anew makes new ones.
     pub fn adopt(&mut self, mut scene: Scene) -> Scene {
         keep(&mut self.groups, &mut scene.groups);
+        keep(&mut self.obstacles, &mut scene.obstacles);
         keep(&mut self.adjacency, &mut scene.adjacency);
         let mut own = Vec::new();
         for spec in scene.tracks.iter_mut().flat_map(|track| &mut track.keyframes).filter_map(|keyframe| keyframe.adjacency.as_mut()) {

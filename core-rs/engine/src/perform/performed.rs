@@ -5,8 +5,10 @@ use std::sync::Arc;
 use glam::DVec2;
 use serde::Serialize;
 
+use super::avoid::Avoided;
 use super::clock::Clock;
 use crate::choice::Choice;
+use crate::edits::Deviation;
 use crate::measure::{Curves, Measures};
 use crate::motion::Motion;
 use crate::transition::Transition;
@@ -23,6 +25,9 @@ pub struct Performed {
     pub measures: Measures,
     /// One value a sample.
     pub curves: Curves,
+    /// What keeping apart came to; none where the segment does not ask for it.
+    pub avoided: Option<Avoided>,
+    pub(super) deviation: Option<Deviation>,
     pub(super) transition: Arc<dyn Transition>,
     pub(super) clock: Clock,
     pub(super) start: f64,
@@ -56,18 +61,26 @@ pub struct Report<'a> {
     #[serde(flatten)]
     measures: &'a Measures,
     candidates: &'a [Candidate],
+    #[serde(flatten)]
+    avoided: Option<&'a Avoided>,
 }
 
 impl Performed {
     /// Its numbers.
     pub fn report(&self) -> Report<'_> {
-        Report { choice: self.choice, measures: &self.measures, candidates: &self.candidates }
+        Report { choice: self.choice, measures: &self.measures, candidates: &self.candidates, avoided: self.avoided.as_ref() }
     }
 
-    /// Places at `times` (scene seconds within the segment), from the method itself: `plan[k * agent_count + i]`, and so the heights
-    /// where they are asked for.
-    pub fn places_into(&self, times: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
+    /// Places at `times` (scene seconds within the segment), from the method itself and what keeps agents apart:
+    /// `plan[k * agent_count + i]`, and so the heights where they are asked for.
+    pub fn places_into(&self, times: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
         let ts: Vec<f64> = times.iter().map(|time| self.clock.parameter((time - self.start) / (self.end - self.start))).collect();
-        self.transition.evaluate_into(&ts, plan, heights);
+        self.transition.evaluate_into(&ts, plan, heights.as_deref_mut());
+        let Some(deviation) = &self.deviation else { return };
+        let agent_count = self.transition.agent_count();
+        for (k, time) in times.iter().enumerate() {
+            let range = k * agent_count..(k + 1) * agent_count;
+            deviation.add_to(*time, &mut plan[range.clone()], heights.as_deref_mut().map(|heights| &mut heights[range]));
+        }
     }
 }

@@ -4,20 +4,15 @@
 
 use std::fmt::Display;
 
+use super::Scene;
 use super::place::Place;
-use super::{Scene, Segment, TransitionSpec};
 use crate::choice::Join;
 use crate::error::Error;
 
 /// The first such value of a scene that is right otherwise.
 pub(super) fn check(scene: &Scene) -> Result<(), Error> {
-    avoidance(scene)?;
     obstacles(scene)?;
     product_in_space(scene)
-}
-
-fn avoidance(scene: &Scene) -> Result<(), Error> {
-    no_segment(scene, |transition| transition.avoidance, "true", "false", "avoidance")
 }
 
 fn obstacles(scene: &Scene) -> Result<(), Error> {
@@ -36,13 +31,6 @@ fn product_in_space(scene: &Scene) -> Result<(), Error> {
             refuse("\"product\" of positions with different heights", "\"smooth\" or \"separate\"", Place::Top.field("join"))
         }
         _ => Ok(()),
-    }
-}
-
-fn no_segment(scene: &Scene, is_so: fn(&TransitionSpec) -> bool, value: &str, supported: &str, field: &str) -> Result<(), Error> {
-    match scene.main_track().segments.iter().position(|Segment::Transition(transition)| is_so(transition)) {
-        Some(index) => refuse(value, supported, Place::Top.field("segments").item(index).field(field)),
-        None => Ok(()),
     }
 }
 

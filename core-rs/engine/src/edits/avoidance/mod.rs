@@ -1,0 +1,62 @@
+//! Agents keep their distance, and the keyframes stay where they are.
+//!
+//! Sound: a motion is called solved only after an exact check of every straight piece between its samples. Whoever is nearer in
+//! a keyframe is named and never moved.
+
+mod attempt;
+mod breaches;
+mod job;
+mod meetings;
+mod rungs;
+mod sampling;
+
+use crate::motion::{Approach, Motion};
+
+use super::deviation::Deviation;
+
+pub use breaches::{Breach, Other};
+pub use eigenform_apart::Outline;
+pub use job::{AvoidanceJob, AvoidanceStep};
+
+/// What to keep apart, and how freely.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Avoidance {
+    /// Nobody may be nearer than this to another or to an obstacle, center to center and center to outline; meters.
+    pub minimum_distance: f64,
+    /// Whether the motion runs through at its start and its end, so that velocities must stay there too; else it stops.
+    pub is_clamped: [bool; 2],
+    /// Decides the way out of one and the same place.
+    pub seed: u32,
+    /// What stands in the way.
+    pub obstacles: Vec<Outline>,
+}
+
+/// A motion after avoidance.
+pub struct Edited {
+    /// The guide itself when nobody clashed.
+    pub motion: Motion,
+    /// What was added to the guide; none when nothing was.
+    pub deviation: Option<Deviation>,
+    /// What it came to.
+    pub report: AvoidanceReport,
+}
+
+/// What avoidance came to.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AvoidanceReport {
+    /// How far agents are from the guide, over agents and samples: mean and greatest, meters.
+    pub deviation: [f64; 2],
+    /// Every meeting that is still too near, by time; empty when it is solved.
+    pub unsolved: Vec<Approach>,
+    /// Who is too near at which end already.
+    pub breaches: Vec<Breach>,
+    /// Which attempt this is, from 1; 0 when the guide needed none.
+    pub rung: usize,
+}
+
+impl AvoidanceReport {
+    /// Proved: nobody is too near at any moment.
+    pub fn is_solved(&self) -> bool {
+        self.unsolved.is_empty() && self.breaches.is_empty()
+    }
+}

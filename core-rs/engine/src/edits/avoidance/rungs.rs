@@ -1,0 +1,116 @@
+//! One attempt after the other, from gentle to tight.
+
+use eigenform_apart::{Kernel, Paths, Rules};
+
+use super::Avoidance;
+use crate::motion::Motion;
+
+/// How an attempt pushes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rung {
+    /// Kernel time: how long a push lasts, in times to cover the minimum distance at mean speed.
+    duration: f64,
+    /// From one knot to the next the farthest agent covers so many minimum distances in the mean.
+    step: f64,
+    /// A push closes at most this much of a gap, of the minimum distance.
+    cap: f64,
+    seed: u64,
+}
+
+/// Measured on drill shows: the first solves most, each of the others some that are left.
+pub(super) const RUNGS: [Rung; 6] = [
+    Rung { duration: 3.0, step: 0.4, cap: 0.3, seed: 0 },
+    Rung { duration: 1.5, step: 0.4, cap: 0.3, seed: 0 },
+    Rung { duration: 0.8, step: 0.3, cap: 0.3, seed: 0 },
+    Rung { duration: 1.5, step: 0.3, cap: 0.15, seed: 1 },
+    Rung { duration: 3.0, step: 0.3, cap: 0.15, seed: 2 },
+    Rung { duration: 1.0, step: 0.4, cap: 0.15, seed: 3 },
+];
+
+const FEWEST_KNOTS: usize = 24;
+const MOST_KNOTS: usize = 600;
+
+/// The shortest bump that knots can show, in knots.
+const SHORTEST_TIME: f64 = 1.5;
+
+/// The longest one, of the whole segment.
+const LONGEST_SHARE: f64 = 0.2;
+
+/// Beyond the minimum distance: pushed for, and good enough before the lift to frames.
+const KNOT_MARGINS: [f64; 2] = [0.03, 0.012];
+const FRAME_MARGINS: [f64; 2] = [0.01, 0.002];
+
+const KNOT_SWEEPS: usize = 120;
+const FRAME_SWEEPS: usize = 60;
+
+/// How far the agents of a guide go.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ways {
+    /// Meters.
+    pub(super) longest: f64,
+    pub(super) mean: f64,
+}
+
+impl Ways {
+    pub(super) fn of(guide: &Motion) -> Self {
+        let agent_count = guide.agent_count();
+        let mut lengths = vec![0.0; agent_count];
+        for k in 1..guide.times().len() {
+            let steps = guide.places(k - 1).iter().zip(guide.places(k).iter());
+            lengths.iter_mut().zip(steps).for_each(|(length, (from, to))| *length += from.distance(to));
+        }
+        let sum: f64 = lengths.iter().sum();
+        Self { longest: lengths.iter().copied().fold(0.0, f64::max), mean: sum / agent_count.max(1) as f64 }
+    }
+}
+
+impl Rung {
+    pub(super) fn knot_count(&self, ways: Ways, distance: f64, sample_count: usize) -> usize {
+        let wanted = (ways.longest / (self.step * distance)).ceil();
+        let most = FEWEST_KNOTS.max(MOST_KNOTS.min(sample_count));
+        wanted.clamp(FEWEST_KNOTS as f64, most as f64) as usize
+    }
+
+    /// Kernel time in knots.
+    fn time(&self, ways: Ways, distance: f64, knot_count: usize) -> f64 {
+        let knots_to_cover = distance / ways.mean * (knot_count - 1) as f64;
+        (self.duration * knots_to_cover).clamp(SHORTEST_TIME, (LONGEST_SHARE * knot_count as f64).max(SHORTEST_TIME))
+    }
+
+    pub(super) fn kernel(&self, ways: Ways, avoidance: &Avoidance, knot_count: usize) -> Kernel {
+        Kernel::new(knot_count, self.time(ways, avoidance.minimum_distance, knot_count), avoidance.is_clamped)
+    }
+
+    /// For knots at the frames themselves: half as long in time.
+    pub(super) fn frame_kernel(&self, ways: Ways, avoidance: &Avoidance, knot_count: usize, sample_count: usize) -> Kernel {
+        let frames_per_knot = (sample_count - 1) as f64 / (knot_count - 1) as f64;
+        let time = 0.5 * self.time(ways, avoidance.minimum_distance, knot_count) * frames_per_knot;
+        Kernel::new(sample_count, time.clamp(SHORTEST_TIME, (LONGEST_SHARE * sample_count as f64).max(SHORTEST_TIME)), avoidance.is_clamped)
+    }
+
+    pub(super) fn rules(&self, avoidance: &Avoidance) -> Rules {
+        Rules {
+            distance: avoidance.minimum_distance,
+            margins: KNOT_MARGINS,
+            step_cap: self.cap,
+            sweep_limit: KNOT_SWEEPS,
+            seed: self.seed << 32 | u64::from(avoidance.seed),
+            outlines: avoidance.obstacles.clone(),
+        }
+    }
+
+    pub(super) fn frame_rules(&self, avoidance: &Avoidance) -> Rules {
+        Rules { margins: FRAME_MARGINS, sweep_limit: FRAME_SWEEPS, ..self.rules(avoidance) }
+    }
+}
+
+/// How far somebody gets at most from one knot to the next but one, halved: what a pair may close within half a knot.
+pub(super) fn greatest_step(paths: &Paths, knot: usize) -> f64 {
+    let mut greatest: f64 = 0.0;
+    for agent in 0..paths.agent_count() {
+        let [before, after] = [paths.place(agent, knot - 1), paths.place(agent, knot + 1)];
+        let squared = (0..3).map(|axis| (after[axis] - before[axis]) * (after[axis] - before[axis])).sum::<f64>();
+        greatest = greatest.max(squared);
+    }
+    0.5 * greatest.sqrt()
+}

@@ -1,0 +1,12 @@
+//! What changes a whole motion.
+//!
+//! An edit takes a motion and gives another of the same agents and samples; it knows neither scenes nor methods. Avoidance is the
+//! first. Long work is a job of steps, as everywhere.
+
+mod avoidance;
+mod deviation;
+mod spline;
+
+pub use avoidance::{Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Breach, Edited, Other};
+pub use deviation::Deviation;
+pub use eigenform_apart::Outline;

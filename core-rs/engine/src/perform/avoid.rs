@@ -1,0 +1,113 @@
+//! Keeps a segment's agents apart, once it is known where the method has them.
+
+mod suggest;
+
+use serde::Serialize;
+
+pub use suggest::Suggestion;
+
+use super::brief::Brief;
+use crate::choice::Choice;
+use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Deviation, Edited, Outline};
+use crate::measure::{Clearance, Extreme};
+use crate::motion::{Approach, Motion, closeness};
+use crate::obstacle::ObstacleShape;
+
+pub use crate::edits::Breach;
+
+/// What avoidance came to in a segment. Flat in the segment's report.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Avoided {
+    /// The nearest that any two came before; none for fewer than two agents.
+    pub guide_clearance: Option<Clearance>,
+    /// How far agents are from where the method has them, over agents and samples, meters.
+    pub deviation: Extreme,
+    /// Every meeting that is still too near, by time; empty when it is solved.
+    pub unsolved: Vec<Clearance>,
+    /// Who stands too near in a keyframe already.
+    pub breaches: Vec<Breach>,
+    /// The attempt that was kept, from 1; 0 when none was needed.
+    pub rung: usize,
+    /// What may help where it is not solved, the likeliest first.
+    pub suggestions: Vec<Suggestion>,
+}
+
+/// The work of keeping apart.
+pub(super) struct Avoiding {
+    job: AvoidanceJob,
+    guide_clearance: Option<Clearance>,
+    progress: f64,
+}
+
+/// What is kept of it.
+pub(super) struct Kept {
+    pub(super) motion: Motion,
+    pub(super) deviation: Option<Deviation>,
+    pub(super) avoided: Option<Avoided>,
+}
+
+impl Kept {
+    /// Nobody was to be kept apart.
+    pub(super) fn as_is(motion: Motion) -> Self {
+        Self { motion, deviation: None, avoided: None }
+    }
+}
+
+impl Avoiding {
+    /// Starts on a guide; gives it back where the segment keeps nobody apart.
+    pub(super) fn of(brief: &Brief, guide: Motion) -> Result<Self, Motion> {
+        if !brief.own.transition.avoidance || brief.minimum_distance <= 0.0 || guide.agent_count() == 0 {
+            return Err(guide);
+        }
+        let guide_clearance = closeness(&guide, 0.0).nearest().map(clearance);
+        let avoidance = Avoidance {
+            minimum_distance: brief.minimum_distance,
+            is_clamped: brief.stops().map(|is_stop| !is_stop),
+            seed: brief.seed,
+            obstacles: brief.obstacles.iter().map(|obstacle| outline(&obstacle.shape)).collect(),
+        };
+        Ok(Self { job: AvoidanceJob::new(avoidance, guide), guide_clearance, progress: 0.0 })
+    }
+
+    /// Works for some milliseconds; what came of it once it is done.
+    pub(super) fn step(&mut self, brief: &Brief, choice: &Choice) -> Option<Kept> {
+        match self.job.step() {
+            AvoidanceStep::Progress(progress) => {
+                self.progress = progress;
+                None
+            }
+            AvoidanceStep::Done(edited) => {
+                let Edited { motion, deviation, report } = *edited;
+                let suggestions = suggest::suggestions(&report, &motion, choice, brief.minimum_distance);
+                let [mean, max] = report.deviation;
+                let avoided = Avoided {
+                    guide_clearance: self.guide_clearance,
+                    deviation: Extreme { mean, max },
+                    unsolved: report.unsolved.into_iter().map(clearance).collect(),
+                    breaches: report.breaches,
+                    rung: report.rung,
+                    suggestions,
+                };
+                Some(Kept { motion, deviation, avoided: Some(avoided) })
+            }
+        }
+    }
+
+    /// 0–1; never falls.
+    pub(super) fn progress(&self) -> f64 {
+        self.progress
+    }
+}
+
+fn clearance(approach: Approach) -> Clearance {
+    let Approach { distance, time, agents } = approach;
+    Clearance { distance, time, agents }
+}
+
+fn outline(shape: &ObstacleShape) -> Outline {
+    match shape {
+        ObstacleShape::Circle { center, radius } => Outline { points: vec![center.to_array()], radius: *radius },
+        ObstacleShape::Polygon { points } => Outline { points: points.iter().map(|p| p.to_array()).collect(), radius: 0.0 },
+    }
+}

@@ -1,0 +1,99 @@
+//! What may help where avoidance did not: who takes whose place, another guide, less distance, a keyframe between.
+
+use serde::Serialize;
+
+use crate::choice::{Choice, MethodName};
+use crate::edits::AvoidanceReport;
+use crate::motion::{Approach, Motion};
+
+/// A next step for the person.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "camelCase")]
+pub enum Suggestion {
+    /// These two take each other's places in the target: together they then go less far.
+    Swap {
+        /// Lower index first.
+        agents: (u32, u32),
+    },
+    /// Everybody takes the place that makes the sum of squared ways least: such ways hardly ever clash.
+    Assign,
+    /// Straight ways.
+    Straight,
+    /// More sharing of the two bases.
+    Sharing {
+        /// ρ.
+        sharing: f64,
+    },
+    /// What this motion keeps.
+    Distance {
+        /// Meters.
+        distance: f64,
+    },
+    /// A keyframe between, where they are nearest.
+    Keyframe {
+        /// Scene seconds.
+        time: f64,
+    },
+}
+
+/// Distances are offered in whole centimeters.
+const CENTIMETERS: f64 = 100.0;
+
+/// A smaller distance than this is no help, meters.
+const LEAST_DISTANCE: f64 = 0.1;
+
+/// The likeliest first; none where nothing is unsolved or a keyframe alone is to blame.
+pub(super) fn suggestions(report: &AvoidanceReport, motion: &Motion, choice: &Choice, minimum_distance: f64) -> Vec<Suggestion> {
+    let Some(worst) = report.unsolved.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)) else { return Vec::new() };
+    let mut suggestions = Vec::new();
+    let swap = report.unsolved.iter().filter(|clash| swap_gain(motion, clash) > 0.0).min_by(|a, b| a.distance.total_cmp(&b.distance));
+    suggestions.extend(swap.map(|clash| Suggestion::Swap { agents: clash.agents }));
+    suggestions.push(Suggestion::Assign);
+    if choice.method != MethodName::Linear {
+        suggestions.push(Suggestion::Straight);
+    }
+    if choice.method == MethodName::Spectral && choice.sharing < 1.0 {
+        suggestions.push(Suggestion::Sharing { sharing: 1.0 });
+    }
+    let kept = (worst.distance * CENTIMETERS).floor() / CENTIMETERS;
+    if (LEAST_DISTANCE..minimum_distance).contains(&kept) {
+        suggestions.push(Suggestion::Distance { distance: kept });
+    }
+    suggestions.push(Suggestion::Keyframe { time: worst.time });
+    suggestions
+}
+
+/// By how much the sum of squared ways shrinks when two swap their places in the target, m².
+fn swap_gain(motion: &Motion, clash: &Approach) -> f64 {
+    let [source, target] = [motion.places(0), motion.places(motion.times().len() - 1)];
+    let (a, b) = (clash.agents.0 as usize, clash.agents.1 as usize);
+    let way = |from: usize, to: usize| source.at(from).distance_squared(target.at(to));
+    way(a, a) + way(b, b) - way(a, b) - way(b, a)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec2;
+
+    use super::*;
+    use crate::choice::{Alignment, Order};
+
+    #[test]
+    fn two_who_cross_are_offered_to_swap_before_anything_else() {
+        let [west, east] = [DVec2::new(-3.0, 0.0), DVec2::new(3.0, 0.0)];
+        let motion = Motion::new(vec![0.0, 1.0], 2, vec![west, east, east, west]);
+        let clash = Approach { distance: 0.237, time: 0.5, agents: (0, 1) };
+        let report = AvoidanceReport { unsolved: vec![clash], ..AvoidanceReport::default() };
+        let choice = Choice { method: MethodName::Spectral, order: Order::Greedy, alignment: Alignment::Pca, sharing: 0.5 };
+        let expected = [
+            Suggestion::Swap { agents: (0, 1) },
+            Suggestion::Assign,
+            Suggestion::Straight,
+            Suggestion::Sharing { sharing: 1.0 },
+            Suggestion::Distance { distance: 0.23 },
+            Suggestion::Keyframe { time: 0.5 },
+        ];
+        assert_eq!(suggestions(&report, &motion, &choice, 0.5), expected);
+        assert_eq!(suggestions(&AvoidanceReport::default(), &motion, &choice, 0.5), []);
+    }
+}
