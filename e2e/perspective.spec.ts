@@ -102,6 +102,25 @@ test("who is pressed is selected, and taking a tool leads back to the plan", asy
   await expect(studio.tool("Draw")).toHaveAttribute("aria-pressed", "true");
 });
 
+test("a flight in the air is watched as cones, which climb", async ({ studio, page }) => {
+  await studio.openFirst();
+  const places = (x: number, z: number) => [-4, 0, 4].map((y) => [x - Math.abs(y), y, z]);
+  const stage = { width: 90, depth: 60, height: 35 };
+  const keyframes = [
+    { time: 0, positions: places(-20, 5) },
+    { time: 6, positions: places(20, 20) },
+  ];
+  await studio.drop("loop.eigenform.json", JSON.stringify({ format: "eigenform", version: 1, stage, keyframes }));
+  await expect(studio.keyframes).toHaveCount(2);
+  await studio.button("Perspective").click();
+  await expect(page.getByRole("combobox", { name: "Show agents as" })).toHaveValue("cones");
+  await page.getByRole("slider", { name: "Time" }).fill("3");
+  await expect(studio.button("Play")).toBeVisible();
+  const halfway = await picture(studio);
+  await page.getByRole("slider", { name: "Time" }).fill("6");
+  expect(await picture(studio)).not.toBe(halfway);
+});
+
 test("no frame is drawn while nothing changes", async ({ studio, page }) => {
   await openInPerspective(studio);
   await studio.button("Reset view").click();
