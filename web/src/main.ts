@@ -1,4 +1,4 @@
-import { computed, signal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { h } from "preact";
 import { createDocument } from "./document/create-store";
 import { emptyScene } from "./document/defaults";
@@ -24,6 +24,7 @@ import { laterHandiwork } from "./panels/later-handiwork";
 import { lazily } from "./panels/lazily";
 import { createMessages, NOT_LOADED } from "./panels/messages";
 import { mountPanels } from "./panels/mount";
+import { createSeen, frontWhenAsked } from "./panels/seen";
 import { showOf } from "./panels/show-of";
 import type { Studio } from "./panels/studio";
 import { Timeline } from "./panels/timeline/timeline";
@@ -31,6 +32,7 @@ import { createPlayback } from "./playback/playback";
 import { showDuration } from "./playback/show";
 import { createView } from "./stage/create-view";
 import { createStage } from "./stage/stage";
+import type { Projection } from "./stage/view";
 import { rememberRuler, rememberTheme } from "./theme/remember";
 import { createToolbox } from "./tools/create-toolbox";
 
@@ -41,13 +43,10 @@ const store = createDocument(emptyScene());
 let settled = store.scene.peek();
 /** Whether the person was quicker than the engine: what they drew is not to be lost to what was on its way. */
 const hasBegun = () => store.undoLabel.peek() !== null;
-const view = createView(store.scene);
 const playback = createPlayback(computed(() => showDuration(mainTrack(store.scene.value))));
 const messages = createMessages();
 const dialogs = createDialogs();
 const autosave = laterAutosave();
-rememberTheme(view.theme);
-rememberRuler(view.ruler);
 followPlayhead(store, playback);
 
 const engineModule = compileEngine();
@@ -56,20 +55,34 @@ const crew = createCrew(engineModule, (title, text) => messages.say({ tone: "pro
 const engine = createEngine(crew);
 const planner = createPlanner({ scene: store.scene, isDragging: store.isDragging, time: playback.time, crew });
 
-function positionsAt(time: number): Float32Array {
-  const show = showOf(studio).peek();
+const projection = signal<Projection>("plan");
+const fetchFront = () => import("./front").then((part) => part.front);
+const front = frontWhenAsked(projection, fetchFront, () => messages.say(NOT_LOADED));
+const seen = createSeen(store, planner, front);
+const view = createView(seen.document.scene, projection);
+rememberTheme(view.theme);
+rememberRuler(view.ruler);
+effect(() => {
+  void front.value;
+  view.fit();
+});
+
+function positionsAt(time: number): Formation {
+  const show = showOf(seen).peek();
   const xy = new Float32Array(show.agentCount * 2);
+  const heights = show.isSpatial ? new Float32Array(show.agentCount) : null;
   show.positionsInto(time, xy);
-  return xy;
+  if (heights) show.heightsInto(time, heights);
+  return new Formation(Float64Array.from(xy), heights && Float64Array.from(heights));
 }
 
 const toolbox = createToolbox({
-  document: store,
+  document: seen.document,
   view,
   playback,
   engine,
   ties: planner.ties,
-  shownXy: () => positionsAt(playback.time.peek()),
+  shownXy: () => positionsAt(playback.time.peek()).xy,
   announce: messages.announce,
   warn: (title, text) => messages.say({ tone: "problem", title, text }),
 });
@@ -108,7 +121,7 @@ const DialogHost = lazily(async () => {
 });
 
 const actionParts: ActionParts = {
-  document: store,
+  document: seen.document,
   playback,
   view,
   toolbox,
@@ -117,7 +130,7 @@ const actionParts: ActionParts = {
   engine,
   planner,
   clipboard: navigator.clipboard,
-  positionsAt: (time) => new Formation(Float64Array.from(positionsAt(time))),
+  positionsAt,
   cancelGesture: toolbox.cancel,
   files: {
     new: () => {
@@ -138,6 +151,7 @@ const handiwork = laterHandiwork(actionParts);
 const actions = createActions(actionParts, handiwork);
 const studio: Studio = {
   document: store,
+  seen,
   playback,
   view,
   planner,
@@ -152,10 +166,10 @@ const studio: Studio = {
 const stageHost = document.createElement("div");
 const isSettled = signal(false);
 createStage(stageHost, {
-  scene: store.scene,
+  scene: seen.document.scene,
   isSettled,
   selection: store.selection,
-  segments: planner.segments,
+  segments: seen.planner.segments,
   ties: planner.ties,
   playback,
   view,

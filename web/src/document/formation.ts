@@ -57,6 +57,11 @@ export class Formation {
     return new Formation(Float64Array.from([...this.xy, ...points.flat()]), heights);
   }
 
+  /** The same places as seen from above at other heights; null on the ground. */
+  withHeights(heights: Float64Array | null): Formation {
+    return new Formation(this.xy, heights);
+  }
+
   /** The same formation with the places of some agents changed; everybody keeps their height. */
   with(places: Iterable<readonly [agent: number, place: Point]>): Formation {
     const xy = this.xy.slice();

@@ -22,7 +22,8 @@ export function breachesOf(formation: Formation, minimum: number): readonly Brea
   const before = known.get(formation);
   if (before?.minimum === minimum) return before.breaches;
   const finder = new ClashFinder();
-  finder.find(Float32Array.from(formation.xy), minimum);
+  const heights = formation.heights && Float32Array.from(formation.heights);
+  finder.find(Float32Array.from(formation.xy), minimum, heights);
   const breaches = finder.found.slice(0, finder.count).map((clash) => ({ ...clash }));
   known.set(formation, { minimum, breaches });
   return breaches;

@@ -1,6 +1,7 @@
 import { computed } from "@preact/signals";
 import { deleteAgents, duplicateAgents, moveAgents } from "../document/commands/agents";
 import { dissolveGroup } from "../document/commands/groups";
+import { liftAgents } from "../document/commands/heights";
 import { deleteKeyframe } from "../document/commands/keyframes";
 import { deleteObstacle } from "../document/commands/obstacles";
 import { cutTie, WHOLE_SCENE } from "../document/commands/ties";
@@ -10,10 +11,13 @@ import { selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import { NOTHING } from "../document/selection";
 import { nudgeSteps } from "../document/snap";
-import { formatCount } from "../document/units";
+import { formatCount, lengthWithUnit } from "../document/units";
 import { type ActionParts, type Doing, type Doings, here } from "./doing";
 
-export type EditId = "duplicate" | "delete" | `${"nudge" | "push"}-${"left" | "right" | "up" | "down"}`;
+export type EditId =
+  | "duplicate"
+  | "delete"
+  | `${"nudge" | "push"}-${"left" | "right" | "up" | "down" | "higher" | "lower"}`;
 
 /** What is done to whatever is selected. */
 export function editActions(parts: ActionParts): Doings<EditId> {
@@ -32,6 +36,22 @@ export function editActions(parts: ActionParts): Doings<EditId> {
         // Presses on the same agents are one undo entry: nobody undoes a walk step by step.
         const series = `nudge ${keyframe} ${[...agents].join()}`;
         document.perform({ ...moveAgents(keyframe, agents, by, "Nudge agents"), series });
+      },
+    };
+  }
+
+  function lift(sign: 1 | -1, reach: "near" | "far"): Doing {
+    return {
+      isEnabled: movesAgents,
+      run() {
+        const { scene, selection, keyframe } = here(document);
+        const agents = selectedAgents(scene, selection);
+        const by = sign * nudgeSteps(scene)[reach];
+        const series = `lift ${keyframe} ${[...agents].join()}`;
+        document.perform({ ...liftAgents(keyframe, agents, by), series });
+        const lifted = mainTrack(document.scene.peek()).keyframes[keyframe]?.positions;
+        const highest = Math.max(...[...agents].map((agent) => lifted?.height(agent) ?? 0));
+        messages.announce(`Height ${lengthWithUnit(highest, scene.stage.units)}`);
       },
     };
   }
@@ -70,6 +90,10 @@ export function editActions(parts: ActionParts): Doings<EditId> {
     "push-right": nudge([1, 0], "far"),
     "push-up": nudge([0, 1], "far"),
     "push-down": nudge([0, -1], "far"),
+    "nudge-higher": lift(1, "near"),
+    "nudge-lower": lift(-1, "near"),
+    "push-higher": lift(1, "far"),
+    "push-lower": lift(-1, "far"),
   };
 }
 

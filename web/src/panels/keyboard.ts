@@ -65,11 +65,10 @@ function isOff(id: string, event: KeyboardEvent): boolean {
   if (isCommand) return false;
   if (event.key === "Enter" && hasOwnPress(event.target)) return true;
   if (isWithin(event.target, "[role=grid]")) return true;
-  const isSteered = isWithin(
-    event.target,
-    "input, select, [role=toolbar], [role=listbox], [role=slider], [role=radiogroup]",
-  );
-  return isSteered && /^(Arrow|Home|End|Delete|Backspace)/.test(event.key);
+  const steered = "input, select, [role=listbox], [role=slider], [role=radiogroup]";
+  // Arrows go from tool to tool; Page Up and Page Down do not.
+  if (isWithin(event.target, steered)) return /^(Arrow|Home|End|Page|Delete|Backspace)/.test(event.key);
+  return isWithin(event.target, "[role=toolbar]") && /^(Arrow|Home|End|Delete|Backspace)/.test(event.key);
 }
 
 export function isTextField(target: EventTarget | null): boolean {

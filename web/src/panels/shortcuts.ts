@@ -47,6 +47,10 @@ export const SHORTCUTS = {
   "push-right": { section: "Edit", label: "Nudge far right", keys: ["Shift+ArrowRight"] },
   "push-up": { section: "Edit", label: "Nudge far up", keys: ["Shift+ArrowUp"] },
   "push-down": { section: "Edit", label: "Nudge far down", keys: ["Shift+ArrowDown"] },
+  "nudge-higher": { section: "Edit", label: "Lift", keys: ["PageUp"] },
+  "nudge-lower": { section: "Edit", label: "Lower", keys: ["PageDown"] },
+  "push-higher": { section: "Edit", label: "Lift far", keys: ["Shift+PageUp"] },
+  "push-lower": { section: "Edit", label: "Lower far", keys: ["Shift+PageDown"] },
   "rotate-left": { section: "Edit", label: "Rotate left by 15°", keys: ["["] },
   "rotate-right": { section: "Edit", label: "Rotate right by 15°", keys: ["]"] },
   "flip-horizontal": { section: "Edit", label: "Flip horizontally", keys: ["Shift+H"] },
@@ -68,6 +72,7 @@ export const SHORTCUTS = {
   "use-everywhere": { section: "Transition", label: "Use these options for every transition" },
   compare: { section: "Transition", label: "Compare methods" },
 
+  front: { section: "View", label: "Plan or front", keys: ["F"] },
   perspective: { section: "View", label: "Plan or perspective", keys: ["P"] },
   fit: { section: "View", label: "Fit", keys: ["Shift+1"] },
   "zoom-in": { section: "View", label: "Zoom in", keys: ["+", "="] },

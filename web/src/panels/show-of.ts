@@ -1,12 +1,12 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { mainTrack } from "../document/scene";
 import { Show } from "../playback/show";
-import type { Studio } from "./studio";
+import type { Seen } from "./seen";
 
-const shows = new WeakMap<Studio, ReadonlySignal<Show>>();
+const shows = new WeakMap<Seen, ReadonlySignal<Show>>();
 
-/** The show as it is drawn now, one for all panels. */
-export function showOf(studio: Studio): ReadonlySignal<Show> {
+/** The show as it is now, one for all panels; of what is seen, as it is drawn. */
+export function showOf(studio: Seen): ReadonlySignal<Show> {
   let show = shows.get(studio);
   if (!show) {
     show = computed(() => {

@@ -9,10 +9,13 @@ import type { Toolbox } from "../tools/toolbox";
 import type { Actions } from "./actions";
 import type { Aside } from "./aside";
 import type { Messages } from "./messages";
+import type { Seen } from "./seen";
 
 /** What the panels act through. Wired in main.ts; holds no logic of its own. */
 export interface Studio {
   readonly document: DocumentStore;
+  /** As the stage shows it: from above or from the front. */
+  readonly seen: Seen;
   readonly playback: Playback;
   readonly view: View;
   readonly planner: Planner;

@@ -8,6 +8,7 @@ type ViewId =
   | `tool-${Exclude<ToolName, "obstacle">}`
   | "place-in-middle"
   | "cancel"
+  | "front"
   | "perspective"
   | "fit"
   | "zoom-in"
@@ -19,11 +20,11 @@ const ZOOM_STEP = 1.25;
 
 /** The tool in hand and how the stage is looked at: none of it is part of the scene. */
 export function viewActions({ document, view, toolbox, messages, cancelGesture }: ActionParts): Doings<ViewId> {
-  /** Tools work on the plan. */
+  /** Tools work on the plan and from the front. */
   const tool = (name: ToolName): Doing => ({
     run() {
       toolbox.active.value = name;
-      view.projection.value = "plan";
+      if (view.projection.peek() === "perspective") view.projection.value = "plan";
     },
   });
 
@@ -55,11 +56,18 @@ export function viewActions({ document, view, toolbox, messages, cancelGesture }
         else toolbox.active.value = "select";
       },
     },
+    front: {
+      run() {
+        const isFront = view.projection.peek() === "front";
+        view.projection.value = isFront ? "plan" : "front";
+        messages.announce(isFront ? "In plan" : "From the front");
+      },
+    },
     perspective: {
       run() {
-        const isPlan = view.projection.peek() === "plan";
-        view.projection.value = isPlan ? "perspective" : "plan";
-        messages.announce(isPlan ? "In perspective" : "In plan");
+        const isPerspective = view.projection.peek() === "perspective";
+        view.projection.value = isPerspective ? "plan" : "perspective";
+        messages.announce(isPerspective ? "In plan" : "In perspective");
       },
     },
     fit: { run: () => lens().fit() },

@@ -19,8 +19,8 @@ export class ClashFinder {
   count = 0;
   private order = new Uint32Array(0);
 
-  /** Looks through `places` (x, y an agent, meters) for pairs nearer than `minimum` meters. */
-  find(places: Float32Array, minimum: number): void {
+  /** Looks through `places` (x, y an agent, meters; heights beside them in space) for pairs nearer than `minimum` meters. */
+  find(places: Float32Array, minimum: number, heights: Float32Array | null = null): void {
     this.count = 0;
     const agentCount = places.length / 2;
     if (minimum <= 0 || agentCount < 2) return;
@@ -35,7 +35,8 @@ export class ClashFinder {
         const dx = (places[2 * b] ?? 0) - x;
         if (dx >= limit) break;
         const dy = (places[2 * b + 1] ?? 0) - y;
-        const distance = Math.sqrt(dx * dx + dy * dy);
+        const dz = heights ? (heights[b] ?? 0) - (heights[a] ?? 0) : 0;
+        const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
         if (distance < limit) this.keep(Math.min(a, b), Math.max(a, b), distance);
       }
     }

@@ -15,7 +15,7 @@ import {
 import { createGlide, framesForMotion } from "./glide";
 import { contentOf, sheetOf } from "./sheet";
 import { clamp } from "./spacing";
-import type { Camera, Layers, Lens, View } from "./view";
+import type { Camera, Layers, Lens, Projection, View } from "./view";
 
 const EVERYTHING: Layers = { ties: true, trails: true, ghosts: true, groups: true, names: true };
 
@@ -42,7 +42,7 @@ const IN_SIGHT = 48;
 const ZOOM_RANGE = { min: 0.03, max: 64 } as const;
 
 /** Looks at the stage of `scene`: it starts fitted and stays so through resizing until the person moves it. */
-export function createView(scene: ReadonlySignal<Scene>): View {
+export function createView(scene: ReadonlySignal<Scene>, projection = signal<Projection>("plan")): View {
   const sheet = computed(() => sheetOf(scene.value.stage));
   const size = signal<Size>({ width: 0, height: 0 });
   const camera = signal<Camera>(fitting(sheet.peek(), { width: 800, height: 600 }, ROOM_FOR_PANELS));
@@ -75,7 +75,7 @@ export function createView(scene: ReadonlySignal<Scene>): View {
     hovered: signal<number | null>(null),
     theme: signal<"light" | "dark" | "system">("system"),
     ruler: signal<"seconds" | "counts">("seconds"),
-    projection: signal<"plan" | "perspective">("plan"),
+    projection,
     lens: signal<Lens | null>(null),
     zoom: computed(() => camera.value.scale / whole.value.scale),
     zoomBy(factor, at) {

@@ -33,6 +33,7 @@ export interface MotionPicture {
   isMarked: Uint8Array | null;
   /** The Tie tool shows every tie and the cuts. */
   isTying: boolean;
+  areHeightsShown: boolean;
   time: number;
 }
 
@@ -51,6 +52,8 @@ export function outlinedGroup(
 const marks = later(() => import("./layers/clashes"));
 const inTheWay = later(() => import("./layers/obstacles"));
 const edges = later(() => import("./layers/hull-edge"));
+/** Most shows are on the plane. */
+const heights = later(() => import("./layers/heights"));
 
 /**
  * Draws everything that moves. Owns what its layers keep.
@@ -118,8 +121,9 @@ export function createMotionPainter(
     turns.draw(context, frame, isSparing);
     drawAgents(context, frame);
     if (layers.names) drawNames(context, frame);
+    if (frame.heights && picture.areHeightsShown) heights()?.drawHeights(context, frame, scene.stage.units);
     if (scene.minimumDistance > 0) {
-      clashes.find(frame.places, scene.minimumDistance);
+      clashes.find(frame.places, scene.minimumDistance, frame.heights);
       if (clashes.count > 0) marks()?.drawClashes(context, frame, clashes, scene.minimumDistance, scene.stage.units);
     }
   };

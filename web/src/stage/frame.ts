@@ -16,6 +16,8 @@ export class Frame {
   radius = 0;
   /** Meters: x, y an agent, now. */
   places: Float32Array<ArrayBufferLike> = new Float32Array(0);
+  /** Meters: how high each agent is, now; null where the show is on the plane. */
+  heights: Float32Array<ArrayBufferLike> | null = null;
   /** CSS pixels on the stage: x, y an agent, now. */
   points: Float32Array<ArrayBufferLike> = new Float32Array(0);
 
@@ -37,8 +39,10 @@ export class Frame {
     this.radius = discRadius(this.spacing);
   }
 
-  /** Makes room for `agentCount` agents. */
-  resize(agentCount: number): void {
+  /** Makes room for `agentCount` agents, and their heights. */
+  resize(agentCount: number, hasHeights: boolean): void {
+    if (!hasHeights) this.heights = null;
+    else if (this.heights?.length !== agentCount) this.heights = new Float32Array(agentCount);
     if (this.points.length === 2 * agentCount) return;
     this.places = new Float32Array(2 * agentCount);
     this.points = new Float32Array(2 * agentCount);

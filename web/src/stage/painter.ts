@@ -52,6 +52,7 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     outlined: null,
     isMarked: null,
     isTying: false,
+    areHeightsShown: true,
     time: 0,
   };
   const handles: HandlesPicture = {
@@ -72,8 +73,9 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     moving.time = playback.time.peek();
     const { track, show, time } = moving;
     frame.look(view.camera.peek(), view.size.peek(), canvases.density, spacingAt(track, time));
-    frame.resize(track.agents.length);
+    frame.resize(track.agents.length, show.isSpatial);
     show.positionsInto(time, frame.places);
+    if (frame.heights) show.heightsInto(time, frame.heights);
     frame.project();
   }
 
@@ -87,6 +89,8 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     moving.outlined = outlinedGroup(moving.scene, selection.peek(), view.hovered.peek(), tool === "group");
     moving.isMarked = subject.isMarked.peek();
     moving.isTying = tool === "tie";
+    // From the front heights are seen.
+    moving.areHeightsShown = view.projection.peek() !== "front";
   }
 
   function updateHandles(): void {

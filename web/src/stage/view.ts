@@ -26,6 +26,9 @@ export interface Lens {
   fit(): void;
 }
 
+/** From above, from the front, or from anywhere. */
+export type Projection = "plan" | "front" | "perspective";
+
 /** How the person looks at the stage: never part of the scene nor of undo. */
 export interface View extends Lens {
   readonly camera: Signal<Camera>;
@@ -38,8 +41,8 @@ export interface View extends Lens {
   readonly ruler: Signal<"seconds" | "counts">;
   /** How close: 1 when the whole stage just fits, 2 at twice that. */
   readonly zoom: ReadonlySignal<number>;
-  /** What the person asked to see; the plan shows until the perspective is there. */
-  readonly projection: Signal<"plan" | "perspective">;
+  /** What the person asked to see; the plan shows until the other is there. */
+  readonly projection: Signal<Projection>;
   /** The perspective view while it covers the plan, which then rests. */
   readonly lens: Signal<Lens | null>;
   panBy(dx: number, dy: number): void;

@@ -9,6 +9,7 @@ import { Row } from "../controls/row";
 import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
 import { Head } from "./head";
+import { HeightRow } from "./height-row";
 import { MembershipRow } from "./membership-row";
 import { PositionRow } from "./position-row";
 import { Section } from "./section";
@@ -44,6 +45,7 @@ export function AgentPanel({ agent }: { agent: number }) {
         </Row>
         <MembershipRow agents={agents} />
         <PositionRow agents={agents} label="Position" />
+        <HeightRow agents={agents} />
         <ColorRow
           label="Color"
           color={itself.color}

@@ -6,6 +6,7 @@ import { AgentDot } from "../agent-dot";
 import { ColorRow } from "../controls/color-row";
 import { useStudio } from "../studio";
 import { Head } from "./head";
+import { HeightRow } from "./height-row";
 import { MembershipRow } from "./membership-row";
 import { PositionRow } from "./position-row";
 import { Section } from "./section";
@@ -31,6 +32,7 @@ export function AgentsPanel({ agents }: { agents: ReadonlySet<number> }) {
       <Section>
         <MembershipRow agents={agents} />
         <PositionRow agents={agents} label="Center" />
+        <HeightRow agents={agents} />
         <ColorRow
           label="Color"
           color={own.size === 1 ? firstOwn : ""}

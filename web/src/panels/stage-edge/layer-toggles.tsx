@@ -13,7 +13,7 @@ const LAYERS: readonly { readonly layer: keyof Layers; readonly name: string }[]
 export function LayerToggles() {
   const { actions, view } = useStudio();
   const layers = view.layers.value;
-  const shown = view.projection.value === "plan" ? LAYERS : LAYERS.filter(({ layer }) => layer === "trails");
+  const shown = view.projection.value !== "perspective" ? LAYERS : LAYERS.filter(({ layer }) => layer === "trails");
   return (
     <fieldset class="layer-toggles" aria-label="Shown on the stage">
       {shown.map(({ layer, name }) => (

@@ -11,12 +11,12 @@ import { ContextActions } from "./context-actions";
 
 /** The bar of actions beside the selection, which follows it as the view moves. */
 export function SelectionBar({ agents }: { agents: ReadonlySet<number> }) {
-  const studio = useStudio();
-  const { document, playback, view } = studio;
+  const { seen, playback, view } = useStudio();
+  const { document } = seen;
   const bar = useRef<HTMLDivElement>(null);
 
   useSignalEffect(() => {
-    const show = showOf(studio).value;
+    const show = showOf(seen).value;
     const xy = new Float32Array(show.agentCount * 2);
     const camera = view.camera.value;
     const size = view.size.value;

@@ -1,5 +1,5 @@
 import { useStudio } from "../studio";
-import { keyName, keyShortcuts, useAction } from "../use-action";
+import { keyName, keyShortcuts } from "../use-action";
 import { InfoLine } from "./info-line";
 import { LayerToggles } from "./layer-toggles";
 import { ZoomPill } from "./zoom-pill";
@@ -21,31 +21,34 @@ export function ViewPills() {
 
 const PROJECTIONS = [
   { projection: "plan", name: "Plan" },
+  { projection: "front", name: "Front" },
   { projection: "perspective", name: "Perspective" },
 ] as const;
 
-/** The plan, or the show in perspective. */
+/** The plan, the stage from the front, or the show in perspective. */
 export function ProjectionSwitch() {
-  const { view } = useStudio();
-  const { action } = useAction("perspective");
-  const [key] = action.keys;
+  const { view, actions } = useStudio();
   return (
     <fieldset class="layer-toggles" aria-label="Seen as">
-      {PROJECTIONS.map(({ projection, name }) => (
-        <button
-          key={projection}
-          type="button"
-          class="toggle"
-          aria-pressed={view.projection.value === projection}
-          aria-keyshortcuts={keyShortcuts(action.keys)}
-          title={key && `${action.label} (${keyName(key)})`}
-          onClick={() => {
-            view.projection.value = projection;
-          }}
-        >
-          {name}
-        </button>
-      ))}
+      {PROJECTIONS.map(({ projection, name }) => {
+        const action = actions.get(projection === "front" ? "front" : "perspective");
+        const [key] = action.keys;
+        return (
+          <button
+            key={projection}
+            type="button"
+            class="toggle"
+            aria-pressed={view.projection.value === projection}
+            aria-keyshortcuts={keyShortcuts(action.keys)}
+            title={key && `${action.label} (${keyName(key)})`}
+            onClick={() => {
+              view.projection.value = projection;
+            }}
+          >
+            {name}
+          </button>
+        );
+      })}
     </fieldset>
   );
 }
