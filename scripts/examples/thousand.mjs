@@ -32,7 +32,7 @@ export function thousand() {
     before = tree;
     show.keyframe({ name, time: 11 * index, hold: 2, isInOrder: true }, { everyone: tree.flat(2) });
   }
-  const way = { kind: "transition", method: "polar", alignment: "procrustes" };
+  const way = { kind: "transition", method: "polar", alignment: "procrustes", hierarchy: true };
   return { ...show.toScene([way, way, way]), groups: groups() };
 }
 

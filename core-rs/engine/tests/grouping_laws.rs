@@ -46,6 +46,14 @@ fn three_blocks_are_three_parts() {
 }
 
 #[test]
+fn three_lines_are_three_parts_although_many_long_ties_lead_across() {
+    let line = |x: f64, y: f64| (0..12).map(move |i| DVec2::new(x + 0.5 * f64::from(i), y));
+    let lines: Vec<DVec2> = [(0.0, 0.0), (15.0, 0.0), (27.0, -10.0)].into_iter().flat_map(|(x, y)| line(x, y)).collect();
+    let expected: Vec<Vec<u32>> = (0..3).map(|block| (12 * block..12 * block + 12).collect()).collect();
+    assert_eq!(sets(&proposed(&lines, &AdjacencySpec::default(), Way::Parts { count: 3 })), expected);
+}
+
+#[test]
 fn two_pairs_of_blocks_are_bisected_twice() {
     let four = blocks(&[[0.0, 0.0], [5.0, 0.5], [30.0, 0.0], [35.0, 1.0]]);
     let range = |from: u32, to: u32| (from..to).collect::<Vec<_>>();

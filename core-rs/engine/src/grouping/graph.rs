@@ -10,13 +10,14 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// `agents` ascend.
+    /// `agents` ascend. Its weights are those of the ties squared: one short tie holds more than the many long ones that lead across
+    /// the gap between any two groups.
     pub(super) fn of(adjacency: &Adjacency, agents: &[u32]) -> Self {
         let mut neighbors = vec![Vec::new(); agents.len()];
         for tie in adjacency.ties() {
             if let (Ok(a), Ok(b)) = (agents.binary_search(&tie.a), agents.binary_search(&tie.b)) {
-                neighbors[a].push((b as u32, tie.weight));
-                neighbors[b].push((a as u32, tie.weight));
+                neighbors[a].push((b as u32, tie.weight * tie.weight));
+                neighbors[b].push((a as u32, tie.weight * tie.weight));
             }
         }
         Self { agents: agents.to_vec(), neighbors }

@@ -16,7 +16,7 @@ pub(super) const SAME_COST: f64 = 1e-9;
 
 /// A graph in two.
 pub(super) struct Split {
-    /// Weight of the ties cut for the sizes made; 0 where nothing is cut.
+    /// What is cut for the sizes made; 0 where nothing is.
     pub(super) cost: f64,
     /// Local agents, ascending each.
     pub(super) sides: [Vec<u32>; 2],
