@@ -22,7 +22,7 @@ export const DEFAULT_SEGMENT: Segment = {
   sharing: 0.5,
   keepSize: false,
   timing: "smooth",
-  avoidance: false,
+  avoidance: true,
   hierarchy: false,
   nodes: [],
 };

@@ -48,6 +48,15 @@ const ALL: readonly Suggestion[] = [
   { kind: "keyframe", time: 2 },
 ];
 
+test("where avoidance is off, turning it on comes before anything else", () => {
+  const before = scene({ avoidance: false });
+  const [only, ...rest] = nextSteps(before, 0, report());
+  expect(rest).toEqual([]);
+  expect(only?.label).toBe("Avoid collisions");
+  if (only?.does.kind !== "command") throw new Error("it is a command");
+  expect(mainTrack(only.does.command.apply(before)).segments[0]?.avoidance).toBe(true);
+});
+
 test("what the engine proposes is offered in words, in its order", () => {
   expect(nextSteps(scene({ avoidance: true }), 0, report(ALL)).map(({ label }) => label)).toEqual([
     "Swap Ada and Bo",

@@ -2,7 +2,7 @@ import { setMinimumDistance } from "../../document/commands/scene";
 import { swapAgents } from "../../document/commands/swap";
 import { setTransition } from "../../document/commands/transitions";
 import { agentLabel } from "../../document/queries";
-import type { Scene } from "../../document/scene";
+import { mainTrack, type Scene } from "../../document/scene";
 import type { Command } from "../../document/store";
 import { lengthWithUnit } from "../../document/units";
 import type { SegmentReport, Suggestion } from "../../engine/api";
@@ -18,8 +18,11 @@ export interface NextStep {
     | { readonly kind: "keyframe"; readonly time: number };
 }
 
-/** What to try next, the likeliest first: what the engine proposes, in words. */
+/** What to try next, the likeliest first: avoidance where it is off, then what the engine proposes. */
 export function nextSteps(scene: Scene, index: number, report: SegmentReport): NextStep[] {
+  const segment = mainTrack(scene).segments[index];
+  if (!segment) return [];
+  if (!segment.avoidance) return [step("Avoid collisions", setTransition(index, { avoidance: true }))];
   return (report.suggestions ?? []).map((suggestion) => stepOf(scene, index, report, suggestion));
 }
 

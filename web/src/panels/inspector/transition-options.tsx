@@ -61,6 +61,11 @@ export function TransitionOptions(props: { index: number; segment: Segment; choi
           command={(sharing) => setTransition(index, takenOver(segment, choice, { sharing }))}
         />
       )}
+      <Switch
+        label="Avoid collisions"
+        isOn={segment.avoidance}
+        onToggle={(avoidance) => document.perform(setTransition(index, { avoidance }))}
+      />
       <MinimumDistanceRow />
       <Row label="Timing">
         <Select
