@@ -38,4 +38,13 @@ describe("body sizes", () => {
       expect(bodySizes(track)).toEqual({ disc: 0.25, figure: 1.75 });
     }
   });
+
+  it("who flies is seen from farther away, and drawn larger", () => {
+    const flat = rows(6, 10);
+    const lifted = flat.keyframes.map((frame) => ({
+      ...frame,
+      positions: new Formation(frame.positions.xy, new Float64Array(100)),
+    }));
+    expect(bodySizes({ ...flat, keyframes: lifted }).disc).toBeGreaterThan(bodySizes(flat).disc);
+  });
 });

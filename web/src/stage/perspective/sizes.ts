@@ -18,7 +18,7 @@ const DISC_SHARE = 0.31;
 const FIGURE_SHARE = 1.4;
 
 /** In a wide formation bodies are larger than life, so that they are seen, but this much of it at most. */
-const LARGEST = { disc: 1 / 60, figure: 1 / 16 } as const;
+const LARGEST = { disc: 1 / 60, flyer: 1 / 32, figure: 1 / 16 } as const;
 
 /** As large as people are; larger where there is room for it. One size for the whole show. */
 export function bodySizes(track: Track): BodySizes {
@@ -32,10 +32,12 @@ export function bodySizes(track: Track): BodySizes {
   }
   for (const agent of track.agents) radius = Math.max(radius, agent.radius);
   const body = radius || PERSON.radius;
+  const isFlying = track.keyframes.some(({ positions }) => positions.heights !== null);
+  const widest = (isFlying ? LARGEST.flyer : LARGEST.disc) * extent;
   const room = Number.isFinite(spacing) ? spacing : 0;
   const height = (PERSON.height * body) / PERSON.radius;
   return {
-    disc: Math.max(body, clamp(DISC_SHARE * room, 0, LARGEST.disc * extent)),
+    disc: Math.max(body, clamp(DISC_SHARE * room, 0, widest)),
     figure: Math.max(height, clamp(FIGURE_SHARE * room, 0, LARGEST.figure * extent)),
   };
 }
