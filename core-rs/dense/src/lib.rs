@@ -72,6 +72,17 @@ pub fn norm(matrix: MatRef<'_, f64>) -> f64 {
     matrix.col_iter().flat_map(ColRef::iter).map(|entry| entry * entry).sum::<f64>().sqrt()
 }
 
+/// a · left + b · right, entry by entry.
+pub fn combination(a: f64, left: MatRef<'_, f64>, b: f64, right: MatRef<'_, f64>) -> Mat<f64> {
+    let mut out = Mat::zeros(left.nrows(), left.ncols());
+    for column in 0..left.ncols() {
+        for row in 0..left.nrows() {
+            out[(row, column)] = a * left[(row, column)] + b * right[(row, column)];
+        }
+    }
+    out
+}
+
 /// The determinant of a square matrix.
 pub fn determinant(matrix: MatRef<'_, f64>) -> f64 {
     matrix.determinant()

@@ -6,7 +6,7 @@
 use faer::{Mat, MatRef};
 
 use super::planes::Planes;
-use eigenform_dense::{product, symmetric_eigen};
+use eigenform_dense::{combination, product, symmetric_eigen};
 
 impl Planes {
     /// The planes of exp(`skew`), of a skew-symmetric matrix, in O(n³); its angles are not reduced to half turns.
@@ -14,7 +14,7 @@ impl Planes {
     /// The Cayley transform Q = (I + B)(I − B)⁻¹, B = skew/2, turns in the same planes by 2 atan(θ/2) < π, and needs no inverse: in
     /// eigenvectors v of `BᵀB` with value b², (1 + b²) Q v = (1 − b²) v + 2 B v.
     pub(crate) fn of_logarithm(skew: MatRef<'_, f64>) -> Self {
-        let half = skew * faer::Scale(0.5);
+        let half = combination(0.5, skew, 0.0, skew);
         let eigen = symmetric_eigen(product(half.transpose(), half.as_ref()).as_ref());
         let squares: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0)).collect();
         let mut image = product(half.as_ref(), eigen.vectors.as_ref());

@@ -99,7 +99,7 @@ impl Planes {
 
     /// Coordinates, a row each, turned by `power` of the rotation.
     pub(crate) fn turned(&self, coordinates: &[DVec2], power: f64) -> Vec<DVec2> {
-        self.in_planes(coordinates, |columns| self.turn(power, columns))
+        self.in_planes(coordinates, &|columns| self.turn(power, columns))
     }
 
     /// The same for rows that have heights; where nobody has one the plane is all there is.
@@ -116,7 +116,7 @@ impl Planes {
     /// How fast coordinates, a row each, move when the rotation's power grows by one a second: its logarithm times them.
     pub(crate) fn velocities(&self, coordinates: &[DVec2]) -> Vec<DVec2> {
         let size = self.basis.ncols();
-        self.in_planes(coordinates, |columns| {
+        self.in_planes(coordinates, &|columns| {
             for column in columns.chunks_exact_mut(size) {
                 for (pair, angle) in column.chunks_exact_mut(2).zip(&self.angles) {
                     (pair[0], pair[1]) = (-angle * pair[1], angle * pair[0]);
@@ -126,7 +126,7 @@ impl Planes {
         })
     }
 
-    fn in_planes(&self, coordinates: &[DVec2], act: impl Fn(&mut [f64])) -> Vec<DVec2> {
+    fn in_planes(&self, coordinates: &[DVec2], act: &dyn Fn(&mut [f64])) -> Vec<DVec2> {
         let rows = Mat::from_fn(coordinates.len(), 2, |row, column| coordinates[row][column]);
         let within = product(self.basis.transpose(), rows.as_ref());
         let mut columns: Vec<f64> = (0..2).flat_map(|column| within.col(column).iter().copied()).collect();

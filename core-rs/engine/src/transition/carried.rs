@@ -66,26 +66,21 @@ impl Transition for Carried {
         let agent_count = self.agent_count();
         let Some((last, _)) = self.turns.last() else { return };
         let mut within = Vec::new();
-        Modes::level(last.basis()).evaluate(
-            |t| self.drift.at(t),
-            ts,
-            (plan, heights),
-            |ts, columns| {
-                within.resize(2 * ts.len() * self.mode_count, 0.0);
-                self.coefficients.write_columns(ts, &mut within);
-                for (link, (planes, power)) in self.links.iter().zip(&self.turns) {
-                    product_into(
-                        MatMut::from_column_major_slice_mut(columns, agent_count, 2 * ts.len()),
-                        link.as_ref(),
-                        MatRef::from_column_major_slice(&within, link.ncols(), 2 * ts.len()),
-                    );
-                    for (t, columns) in ts.iter().zip(columns.chunks_exact_mut(2 * agent_count)) {
-                        planes.turn(power.at(*t), columns);
-                    }
-                    within.resize(columns.len(), 0.0);
-                    within.copy_from_slice(columns);
+        Modes::level(last.basis()).evaluate(&|t| self.drift.at(t), ts, (plan, heights), &mut |ts, columns| {
+            within.resize(2 * ts.len() * self.mode_count, 0.0);
+            self.coefficients.write_columns(ts, &mut within);
+            for (link, (planes, power)) in self.links.iter().zip(&self.turns) {
+                product_into(
+                    MatMut::from_column_major_slice_mut(columns, agent_count, 2 * ts.len()),
+                    link.as_ref(),
+                    MatRef::from_column_major_slice(&within, link.ncols(), 2 * ts.len()),
+                );
+                for (t, columns) in ts.iter().zip(columns.chunks_exact_mut(2 * agent_count)) {
+                    planes.turn(power.at(*t), columns);
                 }
-            },
-        );
+                within.resize(columns.len(), 0.0);
+                within.copy_from_slice(columns);
+            }
+        });
     }
 }

@@ -62,10 +62,10 @@ impl<'m> Modes<'m> {
     /// `coefficients_into(ts, columns)` fills the columns of every t of a batch.
     pub(super) fn evaluate(
         self,
-        center_at: impl Fn(f64) -> DVec3,
+        center_at: &dyn Fn(f64) -> DVec3,
         ts: &[f64],
         (plan, mut heights): (&mut [DVec2], Option<&mut [f64]>),
-        mut coefficients_into: impl FnMut(&[f64], &mut [f64]),
+        coefficients_into: &mut dyn FnMut(&[f64], &mut [f64]),
     ) {
         let agent_count = self.agent_count;
         let mode_count = self.basis.map_or(agent_count, |basis| basis.ncols());

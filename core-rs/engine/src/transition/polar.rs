@@ -35,7 +35,7 @@ impl Transition for Polar {
 
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
         let agents = Modes { agent_count: self.agent_count, basis: None, dimensions: self.courses.dimensions() };
-        agents.evaluate(|t| self.barycenters.at(t), ts, (plan, heights), |ts, columns| self.courses.write_columns(ts, columns));
+        agents.evaluate(&|t| self.barycenters.at(t), ts, (plan, heights), &mut |ts, columns| self.courses.write_columns(ts, columns));
     }
 }
 

@@ -73,6 +73,6 @@ impl Transition for Fixed {
 
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
         let modes = Modes { agent_count: self.agent_count, basis: self.basis.as_ref().map(|basis| basis.modes()), dimensions: 2 };
-        modes.evaluate(|t| self.drift.at(t), ts, (plan, heights), |ts, columns| self.coefficients.write_columns(ts, columns));
+        modes.evaluate(&|t| self.drift.at(t), ts, (plan, heights), &mut |ts, columns| self.coefficients.write_columns(ts, columns));
     }
 }

@@ -37,6 +37,6 @@ impl Transition for Shared {
 
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
         let modes = Modes { dimensions: self.courses.dimensions(), ..Modes::level(self.basis.modes()) };
-        modes.evaluate(|t| self.barycenters.at(t), ts, (plan, heights), |ts, columns| self.courses.write_columns(ts, columns));
+        modes.evaluate(&|t| self.barycenters.at(t), ts, (plan, heights), &mut |ts, columns| self.courses.write_columns(ts, columns));
     }
 }

@@ -41,22 +41,17 @@ impl Transition for Spectral {
         let mode_count = planes.basis().ncols();
         let mut in_modes = Vec::new();
         let modes = Modes { dimensions: self.courses.dimensions(), ..Modes::level(self.matched.modes_in_planes()) };
-        modes.evaluate(
-            |t| self.barycenters.at(t),
-            ts,
-            (plan, heights),
-            |ts, columns| {
-                in_modes.resize(columns.len(), 0.0);
-                self.courses.write_columns(ts, &mut in_modes);
-                product_into(
-                    MatMut::from_column_major_slice_mut(columns, mode_count, modes.dimensions * ts.len()),
-                    planes.basis().transpose(),
-                    MatRef::from_column_major_slice(&in_modes, mode_count, modes.dimensions * ts.len()),
-                );
-                for (t, columns) in ts.iter().zip(columns.chunks_exact_mut(modes.dimensions * mode_count)) {
-                    planes.turn(0.5 * self.sharing + (1.0 - self.sharing) * t, columns);
-                }
-            },
-        );
+        modes.evaluate(&|t| self.barycenters.at(t), ts, (plan, heights), &mut |ts, columns| {
+            in_modes.resize(columns.len(), 0.0);
+            self.courses.write_columns(ts, &mut in_modes);
+            product_into(
+                MatMut::from_column_major_slice_mut(columns, mode_count, modes.dimensions * ts.len()),
+                planes.basis().transpose(),
+                MatRef::from_column_major_slice(&in_modes, mode_count, modes.dimensions * ts.len()),
+            );
+            for (t, columns) in ts.iter().zip(columns.chunks_exact_mut(modes.dimensions * mode_count)) {
+                planes.turn(0.5 * self.sharing + (1.0 - self.sharing) * t, columns);
+            }
+        });
     }
 }

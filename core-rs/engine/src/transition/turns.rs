@@ -7,7 +7,7 @@ use super::piece::{Piece, Recipe};
 use super::planner::Planner;
 use crate::choice::Choice;
 use crate::recent::Same;
-use crate::spectral::{Planes, product};
+use crate::spectral::{Planes, combination, product};
 
 /// Where the greatest angle of a rotation beside a keyframe is above this, the keyframe shares half as much: nearer to a half turn a
 /// small change of a formation turns the rotation's logarithm over, and with it the keyframe's basis.
@@ -18,7 +18,7 @@ impl Planner {
     /// The rotation of all agents from keyframe `pair` to the next.
     pub(super) fn turn(&mut self, chain: &Chain, pair: usize, choice: &Choice) -> Option<Arc<Planes>> {
         let matched = self.matched(&chain.couple(pair), choice)?;
-        self.planes(chain, Recipe::Turn(Same(matched.clone())), || matched.turn_of_agents())
+        self.planes(chain, Recipe::Turn(Same(matched.clone())), &|| matched.turn_of_agents())
     }
 
     /// The rotation that takes the basis of keyframe `end` toward those of its neighbors, by half the sharing in all: keyframes that
@@ -30,11 +30,10 @@ impl Planner {
         let greatest = before.iter().chain(&after).map(|planes| planes.greatest_angle()).fold(0.0, f64::max);
         let amount = if greatest > NEAR_HALF_TURN { 0.25 } else { 0.5 } * choice.sharing;
         let recipe = Recipe::Meeting { before: before.clone().map(Same), after: after.clone().map(Same), amount };
-        self.planes(chain, recipe, || match (before, after) {
+        self.planes(chain, recipe, &|| match (&before, &after) {
             (Some(before), Some(after)) => {
-                let mut logarithm = after.logarithm();
-                logarithm -= before.logarithm();
-                Planes::of_logarithm((faer::Scale(amount) * logarithm).as_ref())
+                let (after, before) = (after.logarithm(), before.logarithm());
+                Planes::of_logarithm(combination(amount, after.as_ref(), -amount, before.as_ref()).as_ref())
             }
             (Some(before), None) => before.scaled(-amount),
             (None, Some(after)) => after.scaled(amount),
@@ -51,7 +50,7 @@ impl Planner {
         let source = self.meeting(chain, pair, choice)?;
         let target = self.meeting(chain, pair + 1, choice)?;
         let recipe = Recipe::Rest { turn: Same(turn.clone()), source: Same(source.clone()), target: Same(target.clone()) };
-        self.planes(chain, recipe, || {
+        self.planes(chain, recipe, &|| {
             let turned = product(turn.matrix(1.0).as_ref(), source.matrix(-1.0).as_ref());
             Planes::of(product(target.matrix(1.0).as_ref(), turned.as_ref()).as_ref())
         })
@@ -74,10 +73,9 @@ impl Planner {
         let [b, a] = [chain.duration(end - 1), chain.duration(end)].map(|duration| duration * duration);
         let share = b / (a + b);
         let recipe = Recipe::Halfway { before: Same(before.clone()), after: Same(after.clone()), share };
-        let planes = self.planes(chain, recipe, || {
-            let mut logarithm = faer::Scale(share) * after.logarithm();
-            logarithm += faer::Scale(1.0 - share) * before.logarithm();
-            Planes::of_logarithm(logarithm.as_ref())
+        let planes = self.planes(chain, recipe, &|| {
+            let (after, before) = (after.logarithm(), before.logarithm());
+            Planes::of_logarithm(combination(share, after.as_ref(), 1.0 - share, before.as_ref()).as_ref())
         })?;
         Some((planes, slow + fast))
     }
@@ -92,7 +90,7 @@ impl Planner {
     ) -> Option<Arc<Planes>> {
         let same = |(planes, power): (&Arc<Planes>, f64)| (Same(planes.clone()), power);
         let recipe = Recipe::Middle { whole: Same(whole.clone()), first: same(first), last: same(last) };
-        self.planes(chain, recipe, || {
+        self.planes(chain, recipe, &|| {
             // At a stop the segment's own rotation leads: that part of its power is only left out.
             let is_whole = |part: &Arc<Planes>| Arc::ptr_eq(part, whole);
             let done: f64 = [first, last].into_iter().filter(|(part, _)| is_whole(part)).map(|(_, power)| power).sum();
@@ -110,10 +108,10 @@ impl Planner {
     /// One rotation after another, as one.
     pub(super) fn successive(&mut self, chain: &Chain, first: &Arc<Planes>, second: &Arc<Planes>) -> Option<Arc<Planes>> {
         let recipe = Recipe::Product { first: Same(first.clone()), second: Same(second.clone()) };
-        self.planes(chain, recipe, || Planes::of(product(second.matrix(1.0).as_ref(), first.matrix(1.0).as_ref()).as_ref()))
+        self.planes(chain, recipe, &|| Planes::of(product(second.matrix(1.0).as_ref(), first.matrix(1.0).as_ref()).as_ref()))
     }
 
-    fn planes(&mut self, chain: &Chain, recipe: Recipe, make: impl FnOnce() -> Planes) -> Option<Arc<Planes>> {
+    fn planes(&mut self, chain: &Chain, recipe: Recipe, make: &dyn Fn() -> Planes) -> Option<Arc<Planes>> {
         if let Some(Piece::Planes(known)) = self.known(&recipe) {
             return Some(known);
         }
