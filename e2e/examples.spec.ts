@@ -17,6 +17,7 @@ const EXAMPLES: readonly (readonly [title: string, agents: string, keyframes: nu
   ["Clusters passing", "24", 4],
   ["Offside trap", "14", 4],
   ["Twelve hundred and sixty", "1,260", 4],
+  ["The end", "10", 6],
 ];
 
 test("the first visit sees an example play", async ({ studio }) => {
@@ -47,9 +48,9 @@ test("every example of the gallery opens and plays, the last one undone step by 
   }
   await studio.planned();
   await studio.button("Undo").click();
-  await expect(studio.title).toHaveValue(/^Offside trap/);
+  await expect(studio.title).toHaveValue(/^Twelve hundred and sixty/);
   await studio.button("Undo").click();
-  await expect(studio.title).toHaveValue(/^Clusters passing/);
+  await expect(studio.title).toHaveValue(/^Offside trap/);
 });
 
 test("a figure's pair opens in the comparison, and its numbers say what the figure shows", async ({ studio, page }) => {

@@ -1,6 +1,7 @@
 // Writes the example scenes and the gallery's previews of them. Run by hand after a change; the files are committed.
 import { execFileSync } from "node:child_process";
 import { mkdirSync, writeFileSync } from "node:fs";
+import { airshow } from "./examples/airshow.mjs";
 import { band } from "./examples/band.mjs";
 import { fieldShow } from "./examples/field-show.mjs";
 import { gridToRing, threeBlocks } from "./examples/figures.mjs";
@@ -41,6 +42,7 @@ const EXAMPLES = {
   winding: { make: winding, cover: 0 },
   clusters: { make: clusters, cover: 2 },
   "offside-trap": { make: offsideTrap, cover: 2 },
+  airshow: { make: airshow, cover: 0 },
 };
 
 const folder = `${root}/public/examples`;

@@ -30,7 +30,9 @@ export function sampleTimes(scene, segment) {
 /** What the gallery draws: colors in runs, and x, y of every agent, sample by sample, as 16-bit numbers in base 64. */
 export function previewOf(scene, { times, positions }) {
   const agentCount = positions[0].length;
-  const numbers = Int16Array.from(positions.flat(2), (value) => Math.round(value / STEP));
+  // Across and away, or across and up: what is shown in space is seen from the front.
+  const seen = positions.map((places) => places.map(([x, y, height]) => [x, height ?? y]));
+  const numbers = Int16Array.from(seen.flat(2), (value) => Math.round(value / STEP));
   return {
     agentCount,
     sampleCount: times.length,

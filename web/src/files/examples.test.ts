@@ -4,21 +4,23 @@ import { describe, expect, test } from "vitest";
 import { FIRST_EXAMPLE } from "./examples";
 import { EXAMPLES, unpack } from "./gallery";
 
+type Place = readonly [x: number, y: number, height?: number];
+
 interface SceneFile {
   readonly title: string;
   readonly minimumDistance: number;
   readonly groups?: readonly { readonly members: readonly number[] }[];
-  readonly keyframes: readonly { readonly time: number; readonly positions: readonly [number, number][] }[];
+  readonly keyframes: readonly { readonly time: number; readonly positions: readonly Place[] }[];
 }
 
 function publicFile(name: string): string {
   return readFileSync(fileURLToPath(new URL(`../../../public/examples/${name}`, import.meta.url)), "utf8");
 }
 
-function least(places: readonly [number, number][]): number {
+function least(places: readonly Place[]): number {
   let nearest = Number.POSITIVE_INFINITY;
-  for (const [index, [x, y]] of places.entries()) {
-    for (const [u, v] of places.slice(index + 1)) nearest = Math.min(nearest, Math.hypot(u - x, v - y));
+  for (const [index, [x, y, z = 0]] of places.entries()) {
+    for (const [u, v, w = 0] of places.slice(index + 1)) nearest = Math.min(nearest, Math.hypot(u - x, v - y, w - z));
   }
   return nearest;
 }

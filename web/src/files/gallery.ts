@@ -148,6 +148,14 @@ export const EXAMPLES: readonly ExampleCard[] = [
     agentCount: 1260,
     keyframeCount: 4,
   },
+  {
+    id: "airshow",
+    section: "Three dimensions",
+    title: "The end",
+    description: "Figure 12: ten planes write it in the sky; press P to fly around them",
+    agentCount: 10,
+    keyframeCount: 6,
+  },
 ];
 
 /** A preview as it is stored: colors in runs, places as 16-bit multiples of `step` meters in base 64. */
