@@ -15,6 +15,7 @@ const EXAMPLES: readonly (readonly [title: string, agents: string, keyframes: nu
   ["A small and a large change", "9", 3],
   ["Winding and smooth", "9", 4],
   ["Clusters passing", "24", 4],
+  ["Clusters kept apart", "24", 4],
   ["Offside trap", "14", 4],
   ["Twelve hundred and sixty", "1,260", 4],
   ["The end", "10", 6],

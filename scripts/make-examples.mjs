@@ -11,6 +11,7 @@ import { marchText, marchTimes } from "./examples/march.mjs";
 import {
   aligned,
   clusters,
+  clustersApart,
   fourAroundOne,
   polarOrSpectral,
   rotatedCopy,
@@ -41,6 +42,7 @@ const EXAMPLES = {
   "small-and-large": { make: smallAndLarge, cover: 1 },
   winding: { make: winding, cover: 0 },
   clusters: { make: clusters, cover: 2 },
+  "clusters-apart": { make: clustersApart, cover: 0 },
   "offside-trap": { make: offsideTrap, cover: 2 },
   airshow: { make: airshow, cover: 0 },
 };

@@ -175,6 +175,15 @@ const CLUSTERS_TURN = 150;
 
 /** Figure 9: clusters that pass each other. Straight ways run them through one another, spectral ways keep them whole. */
 export function clusters() {
+  return passing("Clusters passing", {});
+}
+
+/** The same with every pair kept apart: the straight ways bend, the spectral ones need not. */
+export function clustersApart() {
+  return passing("Clusters kept apart", { avoidance: true });
+}
+
+function passing(title, options) {
   const six = block(3, 2, 1.2);
   const names = ["North", "West", "South", "East"];
   const sections = names.map((name) => ({ name, count: 6, prefix: name[0], tieWeight: 4 }));
@@ -188,12 +197,12 @@ export function clusters() {
   const before = around(6.2, 20, 0);
   const after = around(5.2, 20 + CLUSTERS_TURN, CLUSTERS_TURN);
   const inOrder = { hold: 1, isInOrder: true };
-  return new Show({ title: "Clusters passing", stage: STAGE, minimumDistance: 0.5, sections })
+  return new Show({ title, stage: STAGE, minimumDistance: 0.5, sections })
     .keyframe({ name: "Start", time: 0, hold: 1 }, before)
     .keyframe({ name: "Straight", time: 7, ...inOrder }, after)
     .keyframe({ name: "Start again", time: 14, ...inOrder }, before)
     .keyframe({ name: "Spectral", time: 21, ...inOrder }, after)
-    .toScene([LINEAR, SPECTRAL, SPECTRAL]);
+    .toScene([LINEAR, SPECTRAL, SPECTRAL].map((way) => ({ ...way, ...options })));
 }
 
 /** Figure 2: six with nine ties of one weight, for a look at their modes. */

@@ -132,6 +132,15 @@ export const EXAMPLES: readonly ExampleCard[] = [
     view: { kind: "compare", segments: [0, 2] },
   },
   {
+    id: "clusters-apart",
+    section: "The paper's figures",
+    title: "Clusters kept apart",
+    description: "Figure 9, below: straight ways bend to keep the distance, spectral ones need not",
+    agentCount: 24,
+    keyframeCount: 4,
+    view: { kind: "compare", segments: [0, 2] },
+  },
+  {
     id: "offside-trap",
     section: "The paper's figures",
     title: "Offside trap",

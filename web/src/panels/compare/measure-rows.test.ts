@@ -41,3 +41,11 @@ test("one agent alone has no clearance, and while one side is planned nothing is
   expect(measureRows(alone, alone, "m")[0]).toEqual({ label: "Clearance", left: null, right: null, better: "neither" });
   expect(measureRows(LEFT, null, "m").every((row) => row.better === "neither" && row.right === null)).toBe(true);
 });
+
+test("what avoidance did is told where a side avoids, and left out where none does", () => {
+  expect(measureRows(LEFT, RIGHT, "m").some(({ label }) => label === "Unsolved")).toBe(false);
+  const avoiding = { ...RIGHT, deviation: { mean: 0.1, max: 0.2 }, unsolved: [] };
+  const rows = measureRows(LEFT, avoiding, "m");
+  expect(rows.find(({ label }) => label === "Moved to avoid")).toMatchObject({ left: null, right: "0.20 m" });
+  expect(rows.find(({ label }) => label === "Unsolved")?.right).toBe("0");
+});

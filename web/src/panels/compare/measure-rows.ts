@@ -17,6 +17,8 @@ export interface MeasureRow {
 interface Measure {
   readonly label: string;
   readonly isMoreBetter?: boolean;
+  /** Left out where neither side has it. */
+  readonly isOptional?: boolean;
   value(report: SegmentReport): number | null;
   format(value: number): string;
 }
@@ -32,12 +34,17 @@ function measures(units: Units): readonly Measure[] {
     { label: "at most", value: (report) => report.turning.max, format: formatAngle },
     { label: "Path length", value: (report) => report.pathLength.mean, format: meters },
     { label: "Top speed", value: (report) => report.topSpeed.speed, format: (value) => `${meters(value)}/s` },
+    { label: "Moved to avoid", value: (report) => report.deviation?.max ?? null, format: meters, isOptional: true },
+    { label: "Unsolved", value: (report) => report.unsolved?.length ?? null, format: formatCount, isOptional: true },
   ];
 }
 
 /** Both columns of measures; of two values that read differently the better one is marked. */
 export function measureRows(left: SegmentReport | null, right: SegmentReport | null, units: Units): MeasureRow[] {
-  return measures(units).map(({ label, isMoreBetter = false, value, format }) => {
+  const told = measures(units).filter(
+    ({ isOptional, value }) => !isOptional || [left, right].some((report) => report && value(report) !== null),
+  );
+  return told.map(({ label, isMoreBetter = false, value, format }) => {
     const [a, b] = [left && value(left), right && value(right)];
     const [read, other] = [a === null ? null : format(a), b === null ? null : format(b)];
     return { label, left: read, right: other, better: betterOf(a, b, read === other, isMoreBetter) };
