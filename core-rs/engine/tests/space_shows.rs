@@ -97,3 +97,22 @@ fn motion_text_has_three_numbers_where_the_scene_has() {
     let csv = performance.to_csv();
     assert_eq!(csv.lines().nth(1), Some("0,0,0,-8,-0.4,40"));
 }
+
+/// Two planes exchange heights on one vertical, between two that stand by.
+#[test]
+fn planes_that_would_meet_in_the_air_keep_their_distance() {
+    let low_to_high = [json!([0, 0, 10]), json!([0, 0, 30]), json!([6, 1, 20]), json!([-6, -1, 20])];
+    let high_to_low = [json!([0, 0, 30]), json!([0, 0, 10]), json!([6, 1, 20]), json!([-6, -1, 20])];
+    let scene = json!({
+        "format": "eigenform", "version": 1, "frameRate": 25, "minimumDistance": 1,
+        "keyframes": [{ "positions": low_to_high }, { "time": 6, "positions": high_to_low }],
+        "segments": [{ "kind": "transition", "method": "linear", "avoidance": true }],
+    });
+    let performance = perform(&read_json(&scene.to_string()).expect("a valid scene")).expect("a show that can be performed");
+    let clearance = performance.segments()[0].measures.clearance.expect("four planes have a distance");
+    assert!(clearance.distance >= 1.0 - 1e-6, "{clearance:?}");
+    for (time, keyframe) in [(0.0, 0), (6.0, 1)] {
+        let due = &performance.scene().main_track().keyframes[keyframe].positions;
+        assert!(farthest(&performance.formation_at(time), due) < 1e-9 * 30.0);
+    }
+}
