@@ -20,4 +20,5 @@ pub mod perform;
 mod recent;
 pub mod scene;
 pub mod spectral;
+pub mod text;
 pub mod transition;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may name of the others.
-const MAY_KNOW: [(&str, &[&str]); 14] = [
+const MAY_KNOW: [(&str, &[&str]); 15] = [
     ("adjacency", &["error", "formation"]),
     ("assignment", &["formation"]),
     ("choice", &[]),
@@ -31,11 +31,13 @@ const MAY_KNOW: [(&str, &[&str]); 14] = [
             "obstacle",
             "scene",
             "spectral",
+            "text",
             "transition",
         ],
     ),
-    ("scene", &["adjacency", "choice", "error", "formation", "obstacle"]),
+    ("scene", &["adjacency", "choice", "error", "formation", "obstacle", "text"]),
     ("spectral", &["adjacency", "assignment", "choice", "formation"]),
+    ("text", &[]),
     ("transition", &["adjacency", "choice", "formation", "grouping", "spectral"]),
 ];
 

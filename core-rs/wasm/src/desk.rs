@@ -12,6 +12,7 @@ use eigenform::perform::{Performed, Performer};
 use eigenform::scene::recording::{Recording, read_recording};
 use eigenform::scene::{self, Scene, Source};
 use eigenform::spectral::{Eigenbasis, ModeMatch};
+use eigenform::text;
 use glam::DVec2;
 use serde_json::json;
 use wasm_bindgen::JsValue;
@@ -21,7 +22,7 @@ pub struct Refusal(String);
 
 impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
-        Self(json!({ "code": error.code(), "what": error.to_string(), "where": error.place() }).to_string())
+        Self(encode(&json!({ "code": error.code(), "what": error.to_string(), "where": error.place() })))
     }
 }
 
@@ -42,7 +43,7 @@ pub fn choices(text: &str) -> Vec<Option<Choice>> {
 }
 
 pub fn encode<T: serde::Serialize>(value: &T) -> String {
-    serde_json::to_string(value).expect("plain data is JSON")
+    text::json(value)
 }
 
 pub fn formation(xy: &[f64], heights: Option<Vec<f64>>) -> Formation {

@@ -14,6 +14,9 @@ const CELLS_A_SIDE: f64 = (1u32 << 19) as f64;
 /// What is left of a key for the agent.
 const AGENT_BITS: u32 = 24;
 
+/// The same in bytes.
+const AGENT_BYTES: usize = 3;
+
 /// Keys of cells that are neighbors in a row differ by this.
 const COLUMN: u64 = 1 << AGENT_BITS;
 
@@ -25,6 +28,8 @@ const ROW: u64 = 1 << (AGENT_BITS + 20);
 pub struct PairSearch {
     /// Row, column and agent of every point, ascending: plain numbers sort fastest.
     keys: Vec<u64>,
+    /// For sorting them.
+    spare: Vec<u64>,
     /// Points in the order of the keys.
     places: Vec<DVec2>,
 }
@@ -32,7 +37,7 @@ pub struct PairSearch {
 impl PairSearch {
     /// Visits every pair a < b of `points` at most `radius` meters apart once, always in the same order, with its squared distance.
     ///
-    /// O(n log n + pairs within two radii), whatever lies far away.
+    /// O(n + pairs within two radii), whatever lies far away.
     pub fn for_each_within(&mut self, points: &[DVec2], radius: f64, mut visit: impl FnMut(u32, u32, f64)) {
         self.sort_into_cells(points, radius);
         let radius_squared = radius * radius;
@@ -72,7 +77,8 @@ impl PairSearch {
             let cell = (at - low) * per_meter;
             (cell.y as u64 + 1) * ROW + (cell.x as u64 + 1) * COLUMN + agent
         }));
-        self.keys.sort_unstable();
+        // By row and column; agents ascend already.
+        order::sort_by_bytes(&mut self.keys, &mut self.spare, AGENT_BYTES..size_of::<u64>(), |key, place| key.to_le_bytes()[place]);
         self.places.clear();
         self.places.extend(self.keys.iter().map(|&key| points[(key % COLUMN) as usize]));
     }

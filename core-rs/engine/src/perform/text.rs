@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::show::Performance;
 use crate::formation::Places;
+use crate::text;
 
 impl Performance {
     /// Motion CSV: `frame,time,agent,x,y,z`, a row a frame and agent; seconds, meters; z is 0 on the plane.
@@ -41,16 +42,15 @@ impl Performance {
 }
 
 fn json(times: &[f64], positions: &[String]) -> String {
-    let times = serde_json::to_string(times).expect("numbers are JSON");
+    let times = text::json(times);
     format!("{{\"times\":{times},\"positions\":[{}]}}", positions.join(","))
 }
 
 fn json_points(at: Places<'_>) -> String {
     match at.heights() {
-        None => serde_json::to_string(&at.plan().iter().map(DVec2::to_array).collect::<Vec<_>>()),
-        Some(_) => serde_json::to_string(&at.iter().map(|place| place.to_array()).collect::<Vec<_>>()),
+        None => text::json(&at.plan().iter().map(DVec2::to_array).collect::<Vec<_>>()),
+        Some(_) => text::json(&at.iter().map(|place| place.to_array()).collect::<Vec<_>>()),
     }
-    .expect("numbers are JSON")
 }
 
 /// A CSV field: quoted where it must be.

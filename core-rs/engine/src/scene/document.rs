@@ -13,13 +13,11 @@ use super::json::read_rest;
 use crate::choice::Choice;
 use crate::error::Error;
 use crate::formation::Formation;
+use crate::text::json;
 
 /// The scene with its positions.
-///
-/// # Panics
-/// When the scene is not plain data: a bug, not input.
 pub fn write(scene: &Scene) -> String {
-    serde_json::to_string(scene).expect("a scene is plain data")
+    json(scene)
 }
 
 /// The scene of a scene file whose keyframes have no positions, which needs no head and is complete otherwise, and of the formations of

@@ -8,6 +8,7 @@ mod layout;
 mod places;
 mod read;
 mod split;
+mod unescape;
 mod value;
 mod write;
 

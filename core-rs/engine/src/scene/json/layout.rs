@@ -1,6 +1,7 @@
 //! JSON as a person lays it out: what belongs together on a line, the rest indented below.
 
 use crate::scene::number::number_text;
+use crate::text::json;
 
 /// JSON text under construction. Entries are separated and indented by the container that is open.
 #[derive(Default)]
@@ -57,7 +58,7 @@ impl Layout {
     }
 
     pub(super) fn string(&mut self, text: &str) {
-        self.text.push_str(&serde_json::Value::from(text).to_string());
+        self.text.push_str(&json(text));
     }
 
     pub(super) fn number(&mut self, value: f64) {

@@ -6,6 +6,7 @@ use serde::de::value::StrDeserializer;
 use serde::de::{self, IgnoredAny};
 
 use super::split::entries;
+use super::unescape::unescape;
 use crate::error::{Counted, Error};
 use crate::scene::place::Place;
 use crate::scene::shown;
@@ -62,7 +63,8 @@ impl<'a> Value<'a, '_> {
 
     pub(super) fn string(&self) -> Result<String, Error> {
         self.must_start(b"\"", "a text")?;
-        serde_json::from_str(self.text).map_err(|error| Self::malformed(&error, self.place.to_string()))
+        unescape(self.text)
+            .ok_or_else(|| Error::InvalidJson { message: "an escape is half of a character".to_owned(), place: self.place.to_string() })
     }
 
     /// One of the words of `T`; a word of `later` is known to version 1 but not supported.

@@ -8,6 +8,7 @@ use crate::choice::Choice;
 use crate::formation::Formation;
 use crate::obstacle::ObstacleShape;
 use crate::scene::{Agent, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
+use crate::text::json;
 
 /// The scene file; [`super::read_json`] gives an equal scene.
 ///
@@ -249,5 +250,5 @@ fn word<T: Serialize + Default + PartialEq>(out: &mut Layout, name: &str, word: 
 }
 
 fn required_word<T: Serialize>(out: &mut Layout, name: &str, word: &T) {
-    out.key(name).raw(&serde_json::to_string(word).expect("a word is written as a text"));
+    out.key(name).raw(&json(word));
 }

@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::Recording;
 use super::samples::{Sample, Samples};
 use crate::error::Error;
+use crate::order;
 use crate::scene::csv::columns::{Row, Shape};
 use crate::scene::csv::rows::for_each_row;
 use crate::scene::limits;
@@ -45,6 +46,7 @@ pub(super) fn read(text: &str) -> Result<Recording, Error> {
 }
 
 /// When a frame is.
+#[derive(Clone, Copy)]
 struct Instant {
     frame: i64,
     time: f64,
@@ -67,7 +69,7 @@ fn sample(row: &Row) -> Result<Sample, Error> {
 
 /// From the first frame to the last; the frames between must agree with it.
 fn frame_rate(mut times: Vec<Instant>) -> Result<f64, Error> {
-    times.sort_unstable_by_key(|instant| (instant.frame, instant.row));
+    order::sort_by_key(&mut times, |instant| u128::from(order::of_integer(instant.frame)));
     let (Some(first), Some(last)) = (times.first(), times.last()) else { return Err(Error::OneFrame) };
     let (frames, seconds) = ((last.frame - first.frame) as f64, last.time - first.time);
     if frames == 0.0 {

@@ -6,6 +6,7 @@ use glam::DVec2;
 
 use super::{Numbering, Recording};
 use crate::error::{Counted, Error};
+use crate::order;
 use crate::scene::validate::{at_most, length};
 use crate::scene::{limits, shown};
 
@@ -43,7 +44,8 @@ impl Samples {
 
     /// The recording of all rows.
     pub(super) fn finish(mut self, frame_rate: f64, mut notes: Vec<String>) -> Result<Recording, Error> {
-        self.rows.sort_unstable_by_key(|sample| (sample.frame, sample.agent, sample.row));
+        // Rows of equal frame and agent stay in the order of the text.
+        order::sort_by_key(&mut self.rows, |sample| order::key_of_two(order::of_integer(sample.frame), u64::from(sample.agent)));
         self.once_each()?;
         let numbering = self.numbering()?;
         let Numbering { first, step, last } = numbering;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::Recording;
 use crate::error::Error;
 use crate::formation::Formation;
+use crate::order;
 use crate::scene::csv::{Read, checked, fitted_stage, is_whole_number};
 use crate::scene::{Agent, Keyframe, Scene, Segment, Track, limits};
 
@@ -18,7 +19,7 @@ impl Recording {
     /// When a frame is none of the recording: a bug, not input.
     pub fn scene(&self, frames: &[usize]) -> Result<Read, Error> {
         let mut frames = frames.to_vec();
-        frames.sort_unstable();
+        order::sort_by_key(&mut frames, |frame| *frame as u128);
         frames.dedup();
         let agents = self.agents_at(&frames);
         if agents.is_empty() {
