@@ -49,7 +49,9 @@ pub fn clashes(motion: &Motion, limit: f64) -> Vec<Approach> {
         before.for_each(|ended| keep(&mut clashes, ended.nearest));
         std::mem::swap(&mut open, &mut still_open);
     }
-    open.into_iter().for_each(|last| keep(&mut clashes, last.nearest));
+    for last in open {
+        keep(&mut clashes, last.nearest);
+    }
     clashes.sort_unstable_by(|a, b| a.time.total_cmp(&b.time).then(a.agents.cmp(&b.agents)));
     clashes
 }

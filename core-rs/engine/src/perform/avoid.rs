@@ -2,18 +2,17 @@
 
 mod suggest;
 
+use glam::DVec2;
 use serde::Serialize;
 
 pub use suggest::Suggestion;
 
 use super::brief::Brief;
 use crate::choice::Choice;
-use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Deviation, Edited, Outline};
+use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Breach, Deviation, Edited, Outline};
 use crate::measure::{Clearance, Extreme};
 use crate::motion::{Approach, Motion, closeness};
 use crate::obstacle::ObstacleShape;
-
-pub use crate::edits::Breach;
 
 /// What avoidance came to in a segment. Flat in the segment's report.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -108,6 +107,6 @@ fn clearance(approach: Approach) -> Clearance {
 fn outline(shape: &ObstacleShape) -> Outline {
     match shape {
         ObstacleShape::Circle { center, radius } => Outline { points: vec![center.to_array()], radius: *radius },
-        ObstacleShape::Polygon { points } => Outline { points: points.iter().map(|p| p.to_array()).collect(), radius: 0.0 },
+        ObstacleShape::Polygon { points } => Outline { points: points.iter().map(DVec2::to_array).collect(), radius: 0.0 },
     }
 }

@@ -7,9 +7,10 @@ use super::breaches::{Breach, breaches};
 use super::meetings::Lister;
 use super::rungs::{RUNGS, Ways};
 use super::sampling::{at_knots, at_samples, difference, lifted, sum};
+use super::swirl::{is_sane, stuck, swirl};
 use super::{Avoidance, AvoidanceReport, Edited};
 use crate::edits::deviation::Deviation;
-use crate::motion::{Motion, clashes};
+use crate::motion::{Approach, Motion, clashes};
 
 /// What the exact check lets pass, meters: positions are exact to a thousandth of it.
 const SLACK: f64 = 1e-6;
@@ -42,6 +43,8 @@ pub struct AvoidanceJob {
     avoidance: Avoidance,
     guide: Motion,
     ways: Ways,
+    /// Of the guide.
+    clashes: Vec<Approach>,
     breaches: Vec<Breach>,
     lister: Lister,
     phase: Phase,
@@ -65,7 +68,17 @@ impl AvoidanceJob {
     pub fn new(avoidance: Avoidance, guide: Motion) -> Self {
         assert!(avoidance.minimum_distance > 0.0, "there is a distance to keep");
         let ways = Ways::of(&guide);
-        Self { avoidance, guide, ways, breaches: Vec::new(), lister: Lister::default(), phase: Phase::Checking, rung: 0, best: None }
+        Self {
+            avoidance,
+            guide,
+            ways,
+            clashes: Vec::new(),
+            breaches: Vec::new(),
+            lister: Lister::default(),
+            phase: Phase::Checking,
+            rung: 0,
+            best: None,
+        }
     }
 
     /// Works for some milliseconds; longer for thousands of agents.
@@ -103,6 +116,7 @@ impl AvoidanceJob {
             let motion = std::mem::replace(&mut self.guide, Motion::new(Vec::new(), 0, Vec::new()));
             return AvoidanceStep::Done(Box::new(Edited { motion, deviation: None, report }));
         }
+        self.clashes = unsolved;
         self.start_rung();
         self.progress(0, 1)
     }
@@ -110,7 +124,11 @@ impl AvoidanceJob {
     fn start_rung(&mut self) {
         let rung = RUNGS[self.rung];
         let knot_count = rung.knot_count(self.ways, self.avoidance.minimum_distance, self.guide.times().len());
-        let guide = at_knots(&self.guide, knot_count);
+        let mut guide = at_knots(&self.guide, knot_count);
+        if let (Some(best), true) = (&self.best, rung.swirl > 0.0) {
+            let is_stuck = stuck(&best.clashes, &self.clashes, self.guide.agent_count());
+            swirl(&mut guide, &is_stuck, rung.swirl * self.avoidance.minimum_distance);
+        }
         let kernel = rung.kernel(self.ways, &self.avoidance, knot_count);
         self.phase = Phase::Climbing(Box::new(Solver::new(guide, kernel, rung.rules(&self.avoidance))));
     }
@@ -121,7 +139,8 @@ impl AvoidanceJob {
             self.phase = Phase::Climbing(solver);
             return progress;
         }
-        let deviation = difference(solver.paths(), solver.guide());
+        // From the guide itself, which those who swirl have left before.
+        let deviation = difference(solver.paths(), &at_knots(&self.guide, solver.paths().knot_count()));
         let deviation = lifted(&deviation, self.guide.times(), self.avoidance.is_clamped);
         let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, self.least(), &self.breaches);
         let sample_count = self.guide.times().len();
@@ -166,8 +185,14 @@ impl AvoidanceJob {
         }
     }
 
-    /// Keeps an attempt that leaves fewer too near than any before.
+    /// Keeps an attempt that leaves fewer too near than any before; a swirl only where it solves and can be shown.
     fn keep(&mut self, attempt: Attempt) {
+        if RUNGS[self.rung].swirl > 0.0 {
+            let [_, widest] = attempt.deviation_lengths();
+            if attempt.open_count > 0 || !is_sane(widest, &attempt.motion, &self.guide, self.avoidance.minimum_distance) {
+                return;
+            }
+        }
         if self.best.as_ref().is_none_or(|best| attempt.open_count < best.open_count) {
             self.best = Some(attempt);
         }

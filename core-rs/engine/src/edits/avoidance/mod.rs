@@ -9,6 +9,7 @@ mod job;
 mod meetings;
 mod rungs;
 mod sampling;
+mod swirl;
 
 use crate::motion::{Approach, Motion};
 

@@ -14,17 +14,23 @@ pub(super) struct Rung {
     step: f64,
     /// A push closes at most this much of a gap, of the minimum distance.
     cap: f64,
+    /// How far those who are stuck keep to their right from the first, in minimum distances; 0: the guide as it is.
+    pub(super) swirl: f64,
     seed: u64,
 }
 
 /// Measured on drill shows: the first solves most, each of the others some that are left.
-pub(super) const RUNGS: [Rung; 6] = [
-    Rung { duration: 3.0, step: 0.4, cap: 0.3, seed: 0 },
-    Rung { duration: 1.5, step: 0.4, cap: 0.3, seed: 0 },
-    Rung { duration: 0.8, step: 0.3, cap: 0.3, seed: 0 },
-    Rung { duration: 1.5, step: 0.3, cap: 0.15, seed: 1 },
-    Rung { duration: 3.0, step: 0.3, cap: 0.15, seed: 2 },
-    Rung { duration: 1.0, step: 0.4, cap: 0.15, seed: 3 },
+pub(super) const RUNGS: [Rung; 10] = [
+    Rung { duration: 3.0, step: 0.4, cap: 0.3, swirl: 0.0, seed: 0 },
+    Rung { duration: 1.5, step: 0.4, cap: 0.3, swirl: 0.0, seed: 0 },
+    Rung { duration: 0.8, step: 0.3, cap: 0.3, swirl: 0.0, seed: 0 },
+    Rung { duration: 1.5, step: 0.3, cap: 0.15, swirl: 0.0, seed: 1 },
+    Rung { duration: 3.0, step: 0.3, cap: 0.15, swirl: 0.0, seed: 2 },
+    Rung { duration: 1.0, step: 0.4, cap: 0.15, swirl: 0.0, seed: 3 },
+    Rung { duration: 2.0, step: 0.4, cap: 0.3, swirl: 0.8, seed: 0 },
+    Rung { duration: 2.0, step: 0.4, cap: 0.3, swirl: 1.6, seed: 0 },
+    Rung { duration: 2.0, step: 0.4, cap: 0.3, swirl: 2.8, seed: 0 },
+    Rung { duration: 2.0, step: 0.4, cap: 0.3, swirl: 4.0, seed: 0 },
 ];
 
 const FEWEST_KNOTS: usize = 24;
