@@ -4,7 +4,7 @@ import { mainTrack, type Scene } from "../../web/src/document/scene";
 import { Ledger, sceneFrom } from "../../web/src/engine/ledger";
 import init, { Engine } from "../../web/src/engine/pkg/engine.js";
 import wasmUrl from "../../web/src/engine/pkg/engine_bg.wasm?url";
-import { strewn, strewnShow } from "./scenes";
+import { crossingBlocks, strewn, strewnShow } from "./scenes";
 
 /** Times the engine in the page itself, without the worker's messages; milliseconds, one entry a run. */
 
@@ -116,6 +116,7 @@ const rows: Record<string, () => number[]> = {
   "one transition of 1260": () => whole(strewnShow(1260, 2, 10, "spectral"), 3),
   "show of 200 x 23 auto": () => whole(strewnShow(200, 23, 10, "auto"), 3),
   "smooth join of 300 x 6": () => whole({ ...strewnShow(300, 6, 4, "spectral"), join: "smooth" }, 3),
+  "blocks of 1936 kept apart": () => whole(crossingBlocks(), 3),
 };
 
 declare global {

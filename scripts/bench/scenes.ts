@@ -18,6 +18,23 @@ export function strewn(agentCount: number, seed: number): Formation {
   return new Formation(Float64Array.from({ length: 2 * agentCount }, () => next() * side));
 }
 
+/** Two blocks of 44 × 22 agents that go through each other in 20 s and keep half a meter apart. */
+export function crossingBlocks(): Scene {
+  const [columns, rows, spacing] = [44, 22, 1.143];
+  const gap = columns * spacing + 4;
+  const block = (x: number) =>
+    Array.from({ length: columns * rows }, (_, k) => [
+      x + (k % columns) * spacing,
+      Math.floor(k / columns) * spacing,
+    ]).flat();
+  const formation = (...from: number[]) => new Formation(Float64Array.from(from.flatMap(block)));
+  const show = strewnShow(2 * columns * rows, 2, 20, "linear");
+  const track = mainTrack(show);
+  const keyframes = [keyframeAt(0, formation(0, gap)), keyframeAt(20, formation(gap, 0))];
+  const segments = track.segments.map((segment) => ({ ...segment, avoidance: true }));
+  return { ...show, minimumDistance: 0.5, tracks: [{ ...track, keyframes, segments }] };
+}
+
 /** A show whose agents are strewn anew at every keyframe, `seconds` apart. */
 export function strewnShow(agentCount: number, keyframeCount: number, seconds: number, method: MethodName): Scene {
   const scene = emptyScene();

@@ -14,7 +14,7 @@ use eigenform::formation::Formation;
 use eigenform::perform::{Performer, Step};
 use eigenform::scene::Scene;
 use eigenform::spectral::Eigenbasis;
-use eigenform_bench::{joined, show, strewn, thousand};
+use eigenform_bench::{crossing_blocks, joined, show, strewn, thousand};
 
 fn eigenbasis(criterion: &mut Criterion) {
     for agent_count in [300, 1260] {
@@ -79,6 +79,7 @@ fn moved_group(criterion: &mut Criterion) {
 
 fn whole(criterion: &mut Criterion) {
     for (name, scene) in [
+        ("blocks of 1936 kept apart", crossing_blocks()),
         ("one transition of 1260", show(1260, 2, 10.0, MethodName::Spectral)),
         ("show of 200 x 23 auto", show(200, 23, 10.0, MethodName::Auto)),
         ("smooth join of 300 x 6", joined(300, 6, 4.0, MethodName::Spectral)),

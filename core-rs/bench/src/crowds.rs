@@ -15,13 +15,11 @@ pub fn straight(source: &[DVec2], target: &[DVec2], seconds: f64) -> Motion {
     Motion::new(times, source.len(), positions)
 }
 
-/// Two blocks of `columns` × `rows`, `spacing` meters, that exchange places through each other.
-pub fn blocks(columns: usize, rows: usize, spacing: f64, seconds: f64) -> Motion {
+/// Two blocks of `columns` × `rows`, `spacing` meters, that exchange places through each other: where they start and where they go.
+pub fn blocks(columns: usize, rows: usize, spacing: f64) -> [Vec<DVec2>; 2] {
     let block = |x: f64| (0..columns * rows).map(move |k| DVec2::new(x + (k % columns) as f64 * spacing, (k / columns) as f64 * spacing));
     let gap = columns as f64 * spacing + 4.0;
-    let source: Vec<DVec2> = block(0.0).chain(block(gap)).collect();
-    let target: Vec<DVec2> = block(gap).chain(block(0.0)).collect();
-    straight(&source, &target, seconds)
+    [block(0.0).chain(block(gap)).collect(), block(gap).chain(block(0.0)).collect()]
 }
 
 /// The suite by name; the drill field's spacing, 1.143 m.
@@ -44,12 +42,13 @@ pub fn suite() -> Vec<(&'static str, Motion)> {
     let (east, north): (Vec<DVec2>, Vec<DVec2>) = (square(DVec2::new(16.0, 0.0)).collect(), square(DVec2::new(0.0, 16.0)).collect());
     let grid: Vec<DVec2> = square(DVec2::ZERO).collect();
     let shuffled: Vec<DVec2> = (0..100).map(|k| grid[(k * 37 + 11) % 100]).collect();
+    let [block_source, block_target] = blocks(10, 10, SPACING);
     let slanted = line(20, DVec2::new(10.0, 0.0), DVec2::new(0.6, 0.9)).collect();
     vec![
         ("two lines of 20 face to face", facing),
         ("columns of 20 end-on", columns),
         ("circle of 40", straight(&ring, &opposite, 8.0)),
-        ("two 10 x 10 blocks", blocks(10, 10, SPACING, 8.0)),
+        ("two 10 x 10 blocks", straight(&block_source, &block_target, 8.0)),
         ("blocks at right angles", straight(&[west, south].concat(), &[east, north].concat(), 8.0)),
         ("a grid of 100 shuffled", straight(&grid, &shuffled, 8.0)),
         ("lines that cross", exchange(line(20, DVec2::ZERO, across).collect(), slanted)),

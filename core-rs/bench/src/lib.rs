@@ -37,6 +37,20 @@ pub fn show(agent_count: usize, keyframe_count: usize, seconds: f64, method: Met
     Scene { minimum_distance: 0.5, tracks: vec![Track { agents, keyframes, segments }], ..Scene::default() }
 }
 
+/// Two blocks of 44 × 22 agents that go through each other in 20 s and keep half a meter apart.
+pub fn crossing_blocks() -> Scene {
+    let [source, target] = crowds::blocks(44, 22, 1.143).map(|places| Arc::new(Formation::new(places)));
+    let agents = Arc::new(vec![Agent::default(); source.agent_count()]);
+    let keyframe = |time, positions| Keyframe { time, positions, ..Keyframe::default() };
+    let spec = TransitionSpec { method: MethodName::Linear, avoidance: true, ..TransitionSpec::default() };
+    let keyframes = vec![keyframe(0.0, source), keyframe(20.0, target)];
+    Scene {
+        minimum_distance: 0.5,
+        tracks: vec![Track { agents, keyframes, segments: vec![Segment::Transition(spec)] }],
+        ..Scene::default()
+    }
+}
+
 /// The example after figure 11: 1,260 agents in groups of 36 and of 6, with four keyframes, moved by groups.
 ///
 /// # Panics

@@ -126,6 +126,12 @@ JSON: {\"segments\": [{ … }]}, one entry a transition, with
   topSpeed          {speed, time, agent}
   rmsRadius         {min, max} about the barycenter, meters
   candidates        what auto compared: method, options, score, chosen
+and with avoidance
+  deviation         {mean, max} over agents and samples of how far they leave the method's way, meters
+  unsolved          [{distance, time, agents}] of every meeting still too near; [] when it is proved that there is none
+  guideClearance    the nearest approach before
+  breaches          who stands too near in a keyframe: end (0 source, 1 target), agent, other, distance
+  rung, suggestions which attempt was kept; what may help where it is not solved
 
 Example:
   eigenform measure show.eigenform.json --minimum-distance 0.5 --json")]

@@ -113,5 +113,12 @@ fn table(report: &Report<'_>) -> String {
         )
         .expect("a string takes any text");
     }
+    for (index, segment) in report.segments.iter().enumerate() {
+        for clash in segment.avoided.iter().flat_map(|avoided| &avoided.unsolved) {
+            let (a, b) = clash.agents;
+            writeln!(text, "segment {index}: agents {a} and {b} are {:.3} m apart at {:.2} s", clash.distance, clash.time)
+                .expect("a string takes any text");
+        }
+    }
     text
 }
