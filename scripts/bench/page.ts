@@ -1,10 +1,13 @@
+import airshow from "../../public/examples/airshow.eigenform.json?raw";
+import band from "../../public/examples/band.eigenform.json?raw";
+import offsideTrap from "../../public/examples/offside-trap.eigenform.json?raw";
 import thousand from "../../public/examples/thousand.eigenform.json?raw";
 import { moveAgents } from "../../web/src/document/commands/agents";
 import { mainTrack, type Scene } from "../../web/src/document/scene";
 import { Ledger, sceneFrom } from "../../web/src/engine/ledger";
 import init, { Engine } from "../../web/src/engine/pkg/engine.js";
 import wasmUrl from "../../web/src/engine/pkg/engine_bg.wasm?url";
-import { crossingBlocks, strewn, strewnShow } from "./scenes";
+import { crossingBlocks, lasting, strewn, strewnShow } from "./scenes";
 
 /** Times the engine in the page itself, without the worker's messages; milliseconds, one entry a run. */
 
@@ -12,7 +15,7 @@ await init({ module_or_path: wasmUrl });
 
 function take(engine: Engine, ledger: Ledger, scene: Scene): void {
   const message = ledger.message(scene);
-  for (const [id, xy] of message.added) engine.put_formation(id, xy);
+  for (const [id, xy, heights] of message.added) engine.put_formation(id, xy, heights);
   engine.set_scene(message.rest ?? undefined, Uint32Array.from(message.formations));
 }
 
@@ -30,6 +33,10 @@ function timed(work: () => void): number {
 function runs(count: number, work: () => number): number[] {
   work();
   return Array.from({ length: count }, work);
+}
+
+function opened(text: string): Scene {
+  return sceneFrom((JSON.parse(new Engine().open(text)) as { scene: string }).scene);
 }
 
 function movedAgent(agentCount: number, method: "spectral" | "auto", count: number): number[] {
@@ -57,11 +64,11 @@ function movedAgent(agentCount: number, method: "spectral" | "auto", count: numb
 function movedGroup(count: number): number[] {
   const engine = new Engine();
   const ledger = new Ledger();
-  const opened = sceneFrom((JSON.parse(engine.open(thousand)) as { scene: string }).scene);
-  const track = mainTrack(opened);
+  const example = opened(thousand);
+  const track = mainTrack(example);
   const way = { method: "spectral", hierarchy: true, timing: "smooth" } as const;
   const segments = track.segments.map((segment) => ({ ...segment, ...way }));
-  const scene = { ...opened, tracks: [{ ...track, segments }] };
+  const scene = { ...example, tracks: [{ ...track, segments }] };
   take(engine, ledger, scene);
   performAll(engine, scene);
   const group = new Set(Array.from({ length: 36 }, (_, agent) => 36 + agent));
@@ -115,6 +122,10 @@ const rows: Record<string, () => number[]> = {
   "moved group in 1260": () => movedGroup(9),
   "one transition of 1260": () => whole(strewnShow(1260, 2, 10, "spectral"), 3),
   "show of 200 x 23 auto": () => whole(strewnShow(200, 23, 10, "auto"), 3),
+  "table 1: band 25 x 1211": () => whole(lasting(opened(band), 1211), 5),
+  "table 1: soccer 14 x 238": () => whole(lasting(opened(offsideTrap), 238), 5),
+  "table 1: figures 1260 x 991": () => whole(lasting(opened(thousand), 991), 3),
+  "table 1: airshow 10 x 540": () => whole(lasting(opened(airshow), 540), 5),
   "smooth join of 300 x 6": () => whole({ ...strewnShow(300, 6, 4, "spectral"), join: "smooth" }, 3),
   "blocks of 1936 kept apart": () => whole(crossingBlocks(), 3),
 };

@@ -56,3 +56,18 @@ export function strewnShow(agentCount: number, keyframeCount: number, seconds: n
   const segments = Array.from({ length: keyframeCount - 1 }, () => segment);
   return { ...scene, tracks: [{ ...mainTrack(scene), agents, keyframes, segments }] };
 }
+
+/** The same show so long that it takes `frameCount` frames, joined smoothly and kept apart: planned, avoided, measured. */
+export function lasting(scene: Scene, frameCount: number): Scene {
+  const track = mainTrack(scene);
+  const last = track.keyframes.at(-1);
+  const factor = (frameCount - 1) / scene.frameRate / (last ? last.time + last.hold : 1);
+  const keyframes = track.keyframes.map((keyframe) => ({
+    ...keyframe,
+    time: keyframe.time * factor,
+    hold: keyframe.hold * factor,
+  }));
+  const segments = track.segments.map((segment) => ({ ...segment, avoidance: true }));
+  const minimumDistance = scene.minimumDistance > 0 ? scene.minimumDistance : 0.5;
+  return { ...scene, join: "smooth", minimumDistance, tracks: [{ ...track, keyframes, segments }] };
+}
