@@ -66,14 +66,19 @@ impl Kernel {
         &self.columns[knot]
     }
 
-    fn column(&self, knot: usize) -> Bump {
+    /// Smooths values by knot: the least τ⁴/4 |u''|² + |u − values|², zero at both ends and flat where clamped.
+    pub fn smooth(&self, values: &mut [f64]) {
+        let last = values.len() - 1;
+        (values[0], values[last]) = (0.0, 0.0);
+        self.solve(&mut values[1..last]);
+    }
+
+    /// Divides by `τ⁴/4 · D₂ᵀD₂ + I`.
+    fn solve(&self, u: &mut [f64]) {
         let count = self.diagonal.len();
-        let at = knot - 1;
-        let mut u = vec![0.0; count];
-        u[at] = 2.0 * self.time;
-        for k in at + 1..count {
-            let two_back = if k >= at + 2 { self.second[k] * u[k - 2] } else { 0.0 };
-            u[k] = -self.first[k] * u[k - 1] - two_back;
+        for k in 1..count {
+            let two_back = if k >= 2 { self.second[k] * u[k - 2] } else { 0.0 };
+            u[k] -= self.first[k] * u[k - 1] + two_back;
         }
         u.iter_mut().zip(&self.diagonal).for_each(|(u, pivot)| *u /= pivot);
         for k in (0..count).rev() {
@@ -81,6 +86,13 @@ impl Kernel {
             let after = if k + 2 < count { self.second[k + 2] * u[k + 2] } else { 0.0 };
             u[k] -= next + after;
         }
+    }
+
+    fn column(&self, knot: usize) -> Bump {
+        let at = knot - 1;
+        let mut u = vec![0.0; self.diagonal.len()];
+        u[at] = 2.0 * self.time;
+        self.solve(&mut u);
         let peak = u[at];
         let least = CUT * u.iter().fold(0.0_f64, |greatest, u| greatest.max(u.abs()));
         let start = u.iter().position(|u| u.abs() > least).unwrap_or(at);

@@ -142,11 +142,21 @@ fn scan_pair(paths: &Paths, demand: &Demand, meeting: &Meeting, found: &mut Vec<
     excess
 }
 
+/// How far an agent is from an outline about a knot, and the direction that leads away.
+///
+/// On the straight way between the middles of the pieces before and after: it cuts a corner as much as the pieces do.
+pub(crate) fn beside(paths: &Paths, outline: &Outline, agent: usize, knot: usize) -> (f64, [f64; 2]) {
+    let [before, here, after] = [knot - 1, knot, knot + 1].map(|knot| paths.place(agent, knot));
+    let middle = |other: [f64; 3]| [0.5 * (here[0] + other[0]), 0.5 * (here[1] + other[1])];
+    let (from, to) = (middle(before), middle(after));
+    let (_, t) = outline.least_clearance(from, to);
+    outline.clearance([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])])
+}
+
 fn scan_outline(paths: &Paths, demand: &Demand, meeting: &Meeting, outline: &Outline, agent: usize, found: &mut Vec<Found>) -> f64 {
     let mut excess = 0.0;
     for knot in meeting.from as usize..meeting.to as usize {
-        let [x, y, _] = paths.place(agent, knot);
-        let (distance, _) = outline.clearance([x, y]);
+        let (distance, _) = beside(paths, outline, agent, knot);
         let [wanted, enough] = demand.at(knot, 0.0);
         if distance < wanted {
             found.push(Found { key: Key::new(meeting.i, meeting.j, knot), depth: wanted - distance });

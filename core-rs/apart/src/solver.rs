@@ -4,7 +4,7 @@ use crate::contact::{Contact, Side};
 use crate::kernel::Kernel;
 use crate::outline::Outline;
 use crate::paths::Paths;
-use crate::scan::{Demand, Found, Meeting, dot, nearest, scan};
+use crate::scan::{Demand, Found, Meeting, beside, dot, nearest, scan};
 
 /// What a solver goes by.
 #[derive(Clone, Debug)]
@@ -274,8 +274,7 @@ impl Solver {
     }
 
     fn outline_gap(&self, i: usize, j: usize, knot: usize) -> (f64, [f64; 3]) {
-        let [x, y, _] = self.paths.place(i, knot);
-        let (distance, n) = self.rules.outlines[j - self.paths.agent_count()].clearance([x, y]);
+        let (distance, n) = beside(&self.paths, &self.rules.outlines[j - self.paths.agent_count()], i, knot);
         let [wanted, _] = self.demand.at(knot, 0.0);
         (distance - wanted, [n[0], n[1], 0.0])
     }

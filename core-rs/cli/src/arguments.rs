@@ -130,6 +130,7 @@ and with avoidance
   deviation         {mean, max} over agents and samples of how far they leave the method's way, meters
   unsolved          [{distance, time, agents}] of every meeting still too near; [] when it is proved that there is none
   guideClearance    the nearest approach before
+  blocked           [{distance, time, agent, obstacle}] still too near to an obstacle, from its outline
   breaches          who stands too near in a keyframe: end (0 source, 1 target), agent, other, distance
   rung, suggestions which attempt was kept; what may help where it is not solved
 

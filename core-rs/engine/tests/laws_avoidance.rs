@@ -1,6 +1,6 @@
 //! What avoidance promises, whatever the guide.
 
-use eigenform::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Edited};
+use eigenform::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Edited, Other, Outline};
 use eigenform::motion::{Motion, clashes, sample_times};
 use glam::DVec2;
 use proptest::prelude::*;
@@ -158,4 +158,53 @@ fn nobody_one_agent_and_an_instant_have_an_answer() {
         let guide = Motion::new(times, count, positions);
         assert_eq!(edited(avoidance(), &guide).motion, guide);
     }
+}
+
+/// Who goes 24 m or, in a file, 40 m to the right: alone, in a file of 20, in a block of 6 × 6.
+fn marchers() -> [(&'static str, Motion); 3] {
+    let walk = |source: Vec<DVec2>, way: f64| {
+        let target: Vec<DVec2> = source.iter().map(|p| *p + DVec2::X * way).collect();
+        straight(&source, &target)
+    };
+    let file = (0..20).map(|k| DVec2::new(-6.0 - 1.143 * f64::from(k), 0.1)).collect();
+    let block = (0..36).map(|k| DVec2::new(-8.0 - 1.143 * f64::from(k % 6), 1.143 * (f64::from(k / 6) - 2.5))).collect();
+    [("alone", walk(vec![DVec2::new(-12.0, 0.0)], 24.0)), ("a file", walk(file, 40.0)), ("a block", walk(block, 24.0))]
+}
+
+fn obstacles() -> [(&'static str, Outline); 2] {
+    let corners = [[-2.0, -1.0], [2.0, -1.0], [2.0, 0.5], [0.0, 0.5], [0.0, 3.0], [-2.0, 3.0]];
+    [("a circle", Outline { points: vec![[0.0, 0.3]], radius: 2.0 }), ("an L", Outline { points: corners.to_vec(), radius: 0.0 })]
+}
+
+#[test]
+fn marchers_pass_what_stands_in_their_way() {
+    for (obstacle, outline) in obstacles() {
+        for (who, guide) in marchers() {
+            for is_clamped in [[false; 2], [true; 2]] {
+                let result = edited(Avoidance { is_clamped, obstacles: vec![outline.clone()], ..avoidance() }, &guide);
+                assert!(result.report.is_solved(), "{who} around {obstacle}: {:?}", result.report.blocked);
+                // Independent of the check inside: ten places on every straight piece.
+                for k in 1..=last(&guide) {
+                    for (from, to) in result.motion.sample(k - 1).iter().zip(result.motion.sample(k)) {
+                        for tenth in 0..10 {
+                            let (clearance, _) = outline.clearance(from.lerp(*to, f64::from(tenth) / 10.0).to_array());
+                            assert!(clearance >= DISTANCE - 1e-6, "{who} around {obstacle}: {clearance}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn an_obstacle_on_a_keyframe_is_reported_and_nobody_is_moved_there() {
+    let (_, guide) = &marchers()[0];
+    let outline = Outline { points: vec![[12.0, 0.2]], radius: 1.0 };
+    let result = edited(Avoidance { obstacles: vec![outline], ..avoidance() }, guide);
+    assert!(!result.report.is_solved());
+    let breach = result.report.breaches[0];
+    assert_eq!((breach.end, breach.agent, breach.other), (1, 0, Other::Obstacle(0)));
+    assert!((breach.distance + 0.8).abs() < 1e-12, "{breach:?}");
+    assert_eq!(result.motion.sample(last(guide)), guide.sample(last(guide)));
 }

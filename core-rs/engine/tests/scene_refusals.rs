@@ -149,7 +149,6 @@ fn values_of_another_type_or_word_are_refused() {
 #[test]
 fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
     let cases = [
-        (with_field("obstacles", "[@]"), "obstacles", "", r#"{ "kind": "circle", "center": [0, 0], "radius": 1 }"#),
         (with_field("recordings", "[@]"), "recordings", " ", "{}"),
         (with_field("agents", r#"[{}, { "maxSpeed": @ }, {}]"#), "agents[1].maxSpeed", "null", "2.5"),
         (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),

@@ -119,6 +119,11 @@ fn table(report: &Report<'_>) -> String {
             writeln!(text, "segment {index}: agents {a} and {b} are {:.3} m apart at {:.2} s", clash.distance, clash.time)
                 .expect("a string takes any text");
         }
+        for at in segment.avoided.iter().flat_map(|avoided| &avoided.blocked) {
+            let (agent, obstacle) = (at.agent, at.obstacle);
+            writeln!(text, "segment {index}: agent {agent} is {:.3} m from obstacle {obstacle} at {:.2} s", at.distance, at.time)
+                .expect("a string takes any text");
+        }
     }
     text
 }

@@ -9,7 +9,7 @@ pub use suggest::Suggestion;
 
 use super::brief::Brief;
 use crate::choice::Choice;
-use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Breach, Deviation, Edited, Outline};
+use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, Outline};
 use crate::measure::{Clearance, Extreme};
 use crate::motion::{Approach, Motion, closeness};
 use crate::obstacle::ObstacleShape;
@@ -24,6 +24,8 @@ pub struct Avoided {
     pub deviation: Extreme,
     /// Every meeting that is still too near, by time; empty when it is solved.
     pub unsolved: Vec<Clearance>,
+    /// Everybody still too near to an obstacle, at the nearest.
+    pub blocked: Vec<Blocked>,
     /// Who stands too near in a keyframe already.
     pub breaches: Vec<Breach>,
     /// The attempt that was kept, from 1; 0 when none was needed.
@@ -84,6 +86,7 @@ impl Avoiding {
                     guide_clearance: self.guide_clearance,
                     deviation: Extreme { mean, max },
                     unsolved: report.unsolved.into_iter().map(clearance).collect(),
+                    blocked: report.blocked,
                     breaches: report.breaches,
                     rung: report.rung,
                     suggestions,

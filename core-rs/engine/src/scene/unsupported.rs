@@ -11,16 +11,15 @@ use crate::error::Error;
 
 /// The first such value of a scene that is right otherwise.
 pub(super) fn check(scene: &Scene) -> Result<(), Error> {
-    obstacles(scene)?;
+    obstacle_ties(scene)?;
     product_in_space(scene)
 }
 
-fn obstacles(scene: &Scene) -> Result<(), Error> {
-    let top = Place::Top;
-    if !scene.adjacency.obstacle_ties.is_empty() {
-        return refuse("a list with entries", "[]", top.field("adjacency").field("obstacleTies"));
+fn obstacle_ties(scene: &Scene) -> Result<(), Error> {
+    if scene.adjacency.obstacle_ties.is_empty() {
+        return Ok(());
     }
-    if scene.obstacles.is_empty() { Ok(()) } else { refuse("a list with entries", "[]", top.field("obstacles")) }
+    refuse("a list with entries", "[]", Place::Top.field("adjacency").field("obstacleTies"))
 }
 
 /// The paper's product of powers is printed for the plane.

@@ -2,7 +2,9 @@
 
 use eigenform_apart::Paths;
 
+use super::Avoidance;
 use super::breaches::{Breach, Other};
+use super::obstacles::{Blocked, blocked};
 use super::sampling::moved;
 use crate::motion::{Approach, Motion, clashes};
 
@@ -13,17 +15,19 @@ pub(super) struct Attempt {
     pub(super) deviation: Paths,
     pub(super) motion: Motion,
     pub(super) clashes: Vec<Approach>,
-    /// How many of them no keyframe is to blame for.
+    pub(super) blocked: Vec<Blocked>,
+    /// How many of all those no keyframe is to blame for.
     pub(super) open_count: usize,
 }
 
 impl Attempt {
     /// The guide moved by a deviation, checked exactly.
-    pub(super) fn new(rung: usize, guide: &Motion, deviation: Paths, least: f64, breaches: &[Breach]) -> Self {
+    pub(super) fn new(rung: usize, guide: &Motion, deviation: Paths, avoidance: &Avoidance, least: f64, breaches: &[Breach]) -> Self {
         let motion = moved(guide, &deviation);
         let clashes = clashes(&motion, least);
-        let open_count = open_count(&clashes, breaches, &motion);
-        Self { rung, deviation, motion, clashes, open_count }
+        let blocked = blocked(&motion, &avoidance.obstacles, least);
+        let open_count = open_count(&clashes, breaches, &motion) + free_count(&blocked, breaches);
+        Self { rung, deviation, motion, clashes, blocked, open_count }
     }
 
     /// Mean and greatest length of the deviation, meters.
@@ -40,6 +44,12 @@ impl Attempt {
         }
         [sum / (deviation.agent_count() * deviation.knot_count()).max(1) as f64, greatest]
     }
+}
+
+/// Agents that an obstacle blocks and that no keyframe has too near to it.
+pub(super) fn free_count(blocked: &[Blocked], breaches: &[Breach]) -> usize {
+    let is_breach = |at: &Blocked| breaches.iter().any(|breach| breach.agent == at.agent && breach.other == Other::Obstacle(at.obstacle));
+    blocked.iter().filter(|at| !is_breach(at)).count()
 }
 
 /// Clashes of pairs that no keyframe has too near, in the sixth next to it.

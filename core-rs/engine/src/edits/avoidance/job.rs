@@ -2,9 +2,11 @@
 
 use eigenform_apart::{Paths, Solver, State};
 
-use super::attempt::{Attempt, open_count};
+use super::attempt::{Attempt, free_count, open_count};
 use super::breaches::{Breach, breaches};
 use super::meetings::Lister;
+use super::obstacles::blocked;
+use super::reroute::reroute;
 use super::rungs::{RUNGS, Ways};
 use super::sampling::{at_knots, at_samples, difference, lifted, sum};
 use super::swirl::{is_sane, stuck, swirl};
@@ -108,11 +110,12 @@ impl AvoidanceJob {
         if self.guide.agent_count() > 0 {
             self.breaches = breaches(&self.guide, &self.avoidance, SLACK, BREACH_LIMIT);
         }
-        let is_open = open_count(&unsolved, &self.breaches, &self.guide) > 0;
+        let blocked = blocked(&self.guide, &self.avoidance.obstacles, self.least());
+        let is_open = open_count(&unsolved, &self.breaches, &self.guide) + free_count(&blocked, &self.breaches) > 0;
         // Three samples have one between the keyframes; a bump needs two.
         let can_move = self.ways.mean > 0.0 && self.guide.times().len() >= 4 && self.breaches.len() < BREACH_LIMIT;
         if !is_open || !can_move {
-            let report = AvoidanceReport { deviation: [0.0; 2], unsolved, breaches: std::mem::take(&mut self.breaches), rung: 0 };
+            let report = AvoidanceReport { deviation: [0.0; 2], unsolved, blocked, breaches: std::mem::take(&mut self.breaches), rung: 0 };
             let motion = std::mem::replace(&mut self.guide, Motion::new(Vec::new(), 0, Vec::new()));
             return AvoidanceStep::Done(Box::new(Edited { motion, deviation: None, report }));
         }
@@ -125,6 +128,9 @@ impl AvoidanceJob {
         let rung = RUNGS[self.rung];
         let knot_count = rung.knot_count(self.ways, self.avoidance.minimum_distance, self.guide.times().len());
         let mut guide = at_knots(&self.guide, knot_count);
+        if !self.avoidance.obstacles.is_empty() {
+            reroute(&mut guide, &self.avoidance.obstacles, self.avoidance.minimum_distance, self.avoidance.is_clamped);
+        }
         if let (Some(best), true) = (&self.best, rung.swirl > 0.0) {
             let is_stuck = stuck(&best.clashes, &self.clashes, self.guide.agent_count());
             swirl(&mut guide, &is_stuck, rung.swirl * self.avoidance.minimum_distance);
@@ -142,7 +148,7 @@ impl AvoidanceJob {
         // From the guide itself, which those who swirl have left before.
         let deviation = difference(solver.paths(), &at_knots(&self.guide, solver.paths().knot_count()));
         let deviation = lifted(&deviation, self.guide.times(), self.avoidance.is_clamped);
-        let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, self.least(), &self.breaches);
+        let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, &self.avoidance, self.least(), &self.breaches);
         let sample_count = self.guide.times().len();
         let is_small = sample_count <= REPAIRABLE_LENGTH && sample_count * self.guide.agent_count() <= REPAIRABLE_SAMPLES;
         let is_repairable = attempt.open_count <= REPAIRABLE_CLASHES && is_small;
@@ -166,7 +172,7 @@ impl AvoidanceJob {
             return progress;
         }
         let deviation = sum(&from, &difference(solver.paths(), solver.guide()));
-        let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, self.least(), &self.breaches);
+        let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, &self.avoidance, self.least(), &self.breaches);
         self.keep(attempt);
         self.end_rung()
     }
@@ -209,6 +215,7 @@ impl AvoidanceJob {
         let report = AvoidanceReport {
             deviation: best.deviation_lengths(),
             unsolved: best.clashes,
+            blocked: best.blocked,
             breaches: std::mem::take(&mut self.breaches),
             rung: best.rung,
         };

@@ -4,6 +4,7 @@ use eigenform_apart::{Meeting, Outline, Paths, Solver};
 use glam::DVec2;
 
 use super::breaches::{Breach, Other};
+use super::obstacles::Round;
 use super::rungs::greatest_step;
 use crate::formation::PairSearch;
 
@@ -118,7 +119,9 @@ fn near_outline_into(paths: &Paths, outline: &Outline, number: usize, reach: f64
         let mut open: Option<Meeting> = None;
         for knot in 1..last {
             let [x, y, _] = paths.place(agent, knot);
-            let is_near = round.reaches(x, y, reach) && outline.clearance([x, y]).0 < reach;
+            let [before, after] = [knot - 1, knot + 1].map(|knot| paths.place(agent, knot));
+            let near = reach + 0.5 * DVec2::new(after[0] - before[0], after[1] - before[1]).length();
+            let is_near = round.reaches(x, y, near) && outline.clearance([x, y]).0 < near;
             match &mut open {
                 Some(meeting) if is_near => meeting.to = knot as u32 + 1,
                 None if is_near => open = Some(Meeting { i: agent as u32, j, from: knot as u32, to: knot as u32 + 1 }),
@@ -126,24 +129,6 @@ fn near_outline_into(paths: &Paths, outline: &Outline, number: usize, reach: f64
             }
         }
         meetings.extend(open);
-    }
-}
-
-/// A circle about an outline: most agents are far from most obstacles.
-struct Round {
-    center: DVec2,
-    radius: f64,
-}
-
-impl Round {
-    fn about(outline: &Outline) -> Self {
-        let points = || outline.points.iter().map(|p| DVec2::from_array(*p));
-        let center = points().sum::<DVec2>() / outline.points.len() as f64;
-        Self { center, radius: outline.radius + points().map(|p| p.distance(center)).fold(0.0, f64::max) }
-    }
-
-    fn reaches(&self, x: f64, y: f64, reach: f64) -> bool {
-        self.center.distance_squared(DVec2::new(x, y)) < (self.radius + reach) * (self.radius + reach)
     }
 }
 

@@ -7,6 +7,8 @@ mod attempt;
 mod breaches;
 mod job;
 mod meetings;
+mod obstacles;
+mod reroute;
 mod rungs;
 mod sampling;
 mod swirl;
@@ -18,6 +20,7 @@ use super::deviation::Deviation;
 pub use breaches::{Breach, Other};
 pub use eigenform_apart::Outline;
 pub use job::{AvoidanceJob, AvoidanceStep};
+pub use obstacles::Blocked;
 
 /// What to keep apart, and how freely.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +52,8 @@ pub struct AvoidanceReport {
     pub deviation: [f64; 2],
     /// Every meeting that is still too near, by time; empty when it is solved.
     pub unsolved: Vec<Approach>,
+    /// Everybody still too near to an obstacle, at the nearest.
+    pub blocked: Vec<Blocked>,
     /// Who is too near at which end already.
     pub breaches: Vec<Breach>,
     /// Which attempt this is, from 1; 0 when the guide needed none.
@@ -58,6 +63,6 @@ pub struct AvoidanceReport {
 impl AvoidanceReport {
     /// Proved: nobody is too near at any moment.
     pub fn is_solved(&self) -> bool {
-        self.unsolved.is_empty() && self.breaches.is_empty()
+        self.unsolved.is_empty() && self.blocked.is_empty() && self.breaches.is_empty()
     }
 }

@@ -1,0 +1,255 @@
+//! Leads a guide around what stands in its way, before anybody is pushed.
+//!
+//! Whoever heads the same way passes on the same side, each as far outside as they stand to that side of the others: a block bows out
+//! as a block. The way around is the shortest about the convex hull of the obstacle, grown by the distance; it is walked with the
+//! guide's own clock, by arc length. Smaller notches than the hull are not entered.
+
+use std::f64::consts::{PI, TAU};
+
+use eigenform_apart::{Kernel, Outline, Paths};
+use glam::DVec2;
+
+/// Obstacles may push into one another's way; after so many rounds what is left is left to the pushes.
+const ROUNDS: usize = 3;
+
+/// Beyond the minimum distance, of it: room for the smoothing and the straight pieces.
+const MARGIN: f64 = 0.08;
+
+/// Ways that differ by less than 60° are one.
+const SAME_HEADING: f64 = 0.5;
+
+/// Corners of the circle about a corner.
+const ROUND_CORNERS: usize = 16;
+
+/// The way is left and met again so many radii of the obstacle before and after it.
+const RUN_UP: f64 = 1.5;
+
+/// Kernel time of the smoothing, knots.
+const SMOOTHING: f64 = 2.5;
+
+/// Leads paths around outlines; velocities at clamped ends stay.
+pub(super) fn reroute(paths: &mut Paths, outlines: &[Outline], distance: f64, is_clamped: [bool; 2]) {
+    let guide = paths.clone();
+    let mut is_moved = vec![false; paths.agent_count()];
+    for _ in 0..ROUNDS {
+        let mut has_blocked = false;
+        for outline in outlines {
+            has_blocked |= around(paths, outline, distance, &mut is_moved);
+        }
+        if !has_blocked {
+            break;
+        }
+    }
+    let kernel = Kernel::new(paths.knot_count(), SMOOTHING, is_clamped);
+    for agent in (0..paths.agent_count()).filter(|agent| is_moved[*agent]) {
+        for axis in 0..2 {
+            let old = guide.path(axis, agent);
+            let new = paths.path_mut(axis, agent);
+            new.iter_mut().zip(old).for_each(|(new, old)| *new -= old);
+            kernel.smooth(new);
+            new.iter_mut().zip(old).for_each(|(new, old)| *new += old);
+        }
+    }
+}
+
+/// One obstacle; whether anybody was blocked.
+fn around(paths: &mut Paths, outline: &Outline, distance: f64, is_moved: &mut [bool]) -> bool {
+    let blocked: Vec<usize> = (0..paths.agent_count()).filter(|agent| span(paths, *agent, outline, distance).is_some()).collect();
+    let mut left = blocked.clone();
+    while let Some(&leader) = left.first() {
+        let heading = heading(paths, leader);
+        let is_alike = |agent: usize| heading_of(paths, agent).dot(heading) > SAME_HEADING;
+        let (group, others): (Vec<usize>, Vec<usize>) = left.iter().partition(|agent| **agent == leader || is_alike(**agent));
+        left = others;
+        let side = better_side(paths, outline, &group, heading);
+        let innermost = group.iter().map(|agent| offset(paths, *agent, outline, side)).fold(f64::INFINITY, f64::min);
+        let near = distance * (1.0 + MARGIN);
+        // Also those who would pass free, where the others are pushed out to.
+        let everybody: Vec<usize> = (0..paths.agent_count()).filter(|agent| group.contains(agent) || is_alike(*agent)).collect();
+        for agent in everybody {
+            let lane = offset(paths, agent, outline, side) - innermost;
+            if lane >= 0.0 {
+                is_moved[agent] |= lead(paths, agent, outline, near + lane, heading.perp().dot(side) > 0.0);
+            }
+        }
+    }
+    !blocked.is_empty()
+}
+
+/// From start to end; none for who returns.
+fn heading_of(paths: &Paths, agent: usize) -> DVec2 {
+    (at(paths, agent, paths.knot_count() - 1) - at(paths, agent, 0)).normalize_or_zero()
+}
+
+fn heading(paths: &Paths, agent: usize) -> DVec2 {
+    let heading = heading_of(paths, agent);
+    if heading == DVec2::ZERO { DVec2::X } else { heading }
+}
+
+/// A unit vector to the side on which the innermost has the shorter detour; of equals the right.
+fn better_side(paths: &Paths, outline: &Outline, group: &[usize], heading: DVec2) -> DVec2 {
+    let detour = |side: DVec2| {
+        let edge = outline.points.iter().map(|p| DVec2::from_array(*p).dot(side)).fold(f64::NEG_INFINITY, f64::max);
+        edge - group.iter().map(|agent| offset(paths, *agent, outline, side)).fold(f64::INFINITY, f64::min)
+    };
+    let right = -heading.perp();
+    if detour(right) <= detour(-right) + 1e-9 { right } else { -right }
+}
+
+/// How far to a side an agent is where it is nearest to the obstacle.
+fn offset(paths: &Paths, agent: usize, outline: &Outline, side: DVec2) -> f64 {
+    let clearance = |knot: usize| outline.clearance(at(paths, agent, knot).to_array()).0;
+    let mut nearest = (clearance(0), 0);
+    for knot in 1..paths.knot_count() {
+        let here = clearance(knot);
+        if here < nearest.0 {
+            nearest = (here, knot);
+        }
+    }
+    at(paths, agent, nearest.1).dot(side)
+}
+
+/// The first and the last knot about which an agent is nearer than `reach`.
+fn span(paths: &Paths, agent: usize, outline: &Outline, reach: f64) -> Option<(usize, usize)> {
+    let is_near = |knot: usize| {
+        let [from, to] = [knot, knot + 1].map(|knot| at(paths, agent, knot).to_array());
+        outline.least_clearance(from, to).0 < reach
+    };
+    let mut near = (0..paths.knot_count() - 1).filter(|knot| is_near(*knot));
+    let first = near.next()?;
+    Some((first, near.next_back().unwrap_or(first) + 1))
+}
+
+/// Leads one agent around at `reach` from the outline; whether there was need and a way.
+fn lead(paths: &mut Paths, agent: usize, outline: &Outline, reach: f64, is_left: bool) -> bool {
+    let Some((first, last)) = span(paths, agent, outline, reach) else { return false };
+    let knot_count = paths.knot_count();
+    let places: Vec<DVec2> = (0..knot_count).map(|knot| at(paths, agent, knot)).collect();
+    let grown = grown(outline, reach);
+    let run_up = RUN_UP * extent(&grown);
+    let leave = (0..first).rev().find(|knot| places[*knot].distance(places[first]) >= run_up).unwrap_or(0);
+    let meet = (last..knot_count).find(|knot| places[*knot].distance(places[last]) >= run_up).unwrap_or(knot_count - 1);
+    let Some(chain) = chain(&grown, places[leave], places[meet], is_left) else { return false };
+    let way = [&places[..leave], &chain, &places[meet + 1..]].concat();
+    let moved = walked(&places, &way);
+    for (knot, place) in moved.into_iter().enumerate().take(knot_count - 1).skip(1) {
+        paths.path_mut(0, agent)[knot] = place.x;
+        paths.path_mut(1, agent)[knot] = place.y;
+    }
+    true
+}
+
+/// Points whose hull holds everything within `reach` of the outline.
+fn grown(outline: &Outline, reach: f64) -> Vec<DVec2> {
+    let radius = (outline.radius + reach) / libm::cos(PI / ROUND_CORNERS as f64);
+    let corner = |k: usize| {
+        let angle = TAU * k as f64 / ROUND_CORNERS as f64;
+        DVec2::new(libm::cos(angle), libm::sin(angle)) * radius
+    };
+    outline.points.iter().flat_map(|p| (0..ROUND_CORNERS).map(move |k| DVec2::from_array(*p) + corner(k))).collect()
+}
+
+fn extent(points: &[DVec2]) -> f64 {
+    let middle = points.iter().sum::<DVec2>() / points.len() as f64;
+    points.iter().map(|p| p.distance(middle)).fold(0.0, f64::max)
+}
+
+/// The shortest way from `start` to `end` around points on one side of them; none when an end is among them.
+fn chain(points: &[DVec2], start: DVec2, end: DVec2, is_left: bool) -> Option<Vec<DVec2>> {
+    let mut all = points.to_vec();
+    all.extend([start, end]);
+    let mut hull = hull(all);
+    if is_left {
+        hull.reverse();
+    }
+    // Counterclockwise, what comes after the start lies to the right of the way.
+    let at = hull.iter().position(|p| *p == start)?;
+    hull.rotate_left(at);
+    let to = hull.iter().position(|p| *p == end)?;
+    hull.truncate(to + 1);
+    Some(hull)
+}
+
+/// The convex hull, counterclockwise (Andrew's monotone chain).
+fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
+    points.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    points.dedup();
+    let mut hull: Vec<DVec2> = Vec::new();
+    for is_upper in [false, true] {
+        let base = hull.len();
+        let mut add = |p: DVec2| {
+            while hull.len() >= base + 2 && (hull[hull.len() - 1] - hull[hull.len() - 2]).perp_dot(p - hull[hull.len() - 1]) <= 0.0 {
+                hull.pop();
+            }
+            hull.push(p);
+        };
+        for k in 0..points.len() {
+            add(points[if is_upper { points.len() - 1 - k } else { k }]);
+        }
+        // Each half ends where the other starts.
+        hull.pop();
+    }
+    hull
+}
+
+/// Where one is on a new way, a knot each, who has covered as much of it as of the old one.
+fn walked(old: &[DVec2], way: &[DVec2]) -> Vec<DVec2> {
+    let lengths = |points: &[DVec2]| {
+        let mut sum = 0.0;
+        let mut lengths = vec![0.0];
+        lengths.extend(points.windows(2).map(|pair| {
+            sum += pair[0].distance(pair[1]);
+            sum
+        }));
+        lengths
+    };
+    let (old, new) = (lengths(old), lengths(way));
+    let [whole, whole_new] = [old[old.len() - 1], new[new.len() - 1]];
+    let mut piece = 0;
+    let place = |covered: &f64| {
+        let target = covered / whole * whole_new;
+        while piece + 2 < new.len() && new[piece + 1] < target {
+            piece += 1;
+        }
+        let length = new[piece + 1] - new[piece];
+        let t = if length > 0.0 { ((target - new[piece]) / length).clamp(0.0, 1.0) } else { 0.0 };
+        way[piece].lerp(way[piece + 1], t)
+    };
+    old.iter().map(place).collect()
+}
+
+fn at(paths: &Paths, agent: usize, knot: usize) -> DVec2 {
+    let [x, y, _] = paths.place(agent, knot);
+    DVec2::new(x, y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_hull_turns_counterclockwise_and_leaves_out_what_is_inside() {
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(DVec2::from_array);
+        let mut points = square.to_vec();
+        points.extend([DVec2::ONE, DVec2::new(1.0, 0.0)]);
+        assert_eq!(hull(points), square);
+    }
+
+    #[test]
+    fn a_way_around_passes_on_the_side_asked_for() {
+        let points = grown(&Outline { points: vec![[0.0, 0.0]], radius: 1.0 }, 0.5);
+        let (west, east) = (DVec2::new(-5.0, 0.0), DVec2::new(5.0, 0.0));
+        let right = chain(&points, west, east, false).unwrap();
+        let left = chain(&points, west, east, true).unwrap();
+        assert!(right.iter().all(|p| p.y <= 1e-12) && left.iter().all(|p| p.y >= -1e-12));
+        assert_eq!((right[0], right[right.len() - 1]), (west, east));
+        assert_eq!(chain(&points, DVec2::ZERO, east, true), None);
+    }
+
+    #[test]
+    fn a_longer_way_is_walked_in_the_same_time() {
+        let old = [0.0, 1.0, 3.0, 4.0].map(|x| DVec2::new(x, 0.0));
+        let way = [DVec2::ZERO, DVec2::new(0.0, 4.0), DVec2::new(4.0, 4.0)];
+        assert_eq!(walked(&old, &way), [way[0], DVec2::new(0.0, 2.0), DVec2::new(2.0, 4.0), way[2]]);
+    }
+}
