@@ -9,6 +9,7 @@
 
 #![forbid(unsafe_code)]
 
+mod bytes;
 mod contact;
 mod kernel;
 mod outline;
@@ -16,6 +17,7 @@ mod paths;
 mod scan;
 mod solver;
 
+pub use bytes::sort_by_bytes;
 pub use kernel::Kernel;
 pub use outline::Outline;
 pub use paths::Paths;

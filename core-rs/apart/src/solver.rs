@@ -1,5 +1,6 @@
 //! Sweeps over all contacts, deepest first, until everybody is apart.
 
+use crate::bytes::sort_by_bytes;
 use crate::contact::{Contact, Side};
 use crate::kernel::Kernel;
 use crate::outline::Outline;
@@ -82,6 +83,7 @@ pub struct Solver {
     merged: Vec<Contact>,
     found: Vec<Found>,
     order: Vec<u64>,
+    spare: Vec<u64>,
     sweep_count: usize,
     calm: usize,
     visits: usize,
@@ -107,6 +109,7 @@ impl Solver {
             merged: Vec::new(),
             found: Vec::new(),
             order: Vec::new(),
+            spare: Vec::new(),
             sweep_count: 0,
             calm: 0,
             visits: 0,
@@ -217,7 +220,8 @@ impl Solver {
                 self.order.push(u64::from(u32::MAX - depth) << 32 | index);
             }
         }
-        self.order.sort_unstable();
+        // By depth; indices ascend already.
+        sort_by_bytes(&mut self.order, &mut self.spare, 4..8, |order, place| order.to_le_bytes()[place]);
     }
 
     fn visit(&mut self, index: usize) {

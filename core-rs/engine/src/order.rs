@@ -3,7 +3,7 @@
 //! A library sort is 6 kB of code for every type it is used with, and a visitor loads each of them. Here what decides is one number,
 //! so one sort serves all: byte by byte from the lowest, which needs no comparison and keeps the order of equals.
 
-use std::ops::Range;
+pub(crate) use eigenform_apart::sort_by_bytes;
 
 /// Indices 0, 1, … by ascending key; those of equal keys in their order.
 pub(crate) fn by_key(keys: impl Iterator<Item = u128>) -> Vec<u32> {
@@ -37,31 +37,6 @@ pub(crate) fn of_real(value: f64) -> u64 {
 /// A number that orders as the integer does.
 pub(crate) fn of_integer(value: i64) -> u64 {
     value.cast_unsigned() ^ 1 << 63
-}
-
-/// Puts items in the order of some bytes of theirs, the last of them first; items that agree in all keep theirs. O(n) a byte.
-pub(crate) fn sort_by_bytes<T: Copy>(items: &mut Vec<T>, spare: &mut Vec<T>, places: Range<usize>, byte: impl Fn(&T, usize) -> u8) {
-    for place in places {
-        let mut ends = [0_u32; 256];
-        for item in items.iter() {
-            ends[usize::from(byte(item, place))] += 1;
-        }
-        if ends.contains(&(items.len() as u32)) {
-            continue;
-        }
-        let mut start = 0;
-        for end in &mut ends {
-            let count = std::mem::replace(end, start);
-            start += count;
-        }
-        spare.clone_from(items);
-        for item in items.iter() {
-            let next = &mut ends[usize::from(byte(item, place))];
-            spare[*next as usize] = *item;
-            *next += 1;
-        }
-        std::mem::swap(items, spare);
-    }
 }
 
 fn indices(mut keyed: Vec<(u128, u32)>) -> Vec<u32> {

@@ -3,6 +3,7 @@
 use super::Motion;
 use super::closest::{Approach, apart_in_space, nearest_approach};
 use super::pair_list::PairList;
+use crate::order;
 
 /// A list of more would tell a person nothing; meters and seconds of the first ones do.
 const LIMIT: usize = 10_000;
@@ -36,7 +37,7 @@ pub fn clashes(motion: &Motion, limit: f64) -> Vec<Approach> {
                 near.push(Approach { distance: distance_squared.sqrt(), time: start + t * (end - start), agents: (a, b) });
             }
         });
-        near.sort_unstable_by_key(|approach| approach.agents);
+        order::sort_by_key(&mut near, |approach| order::key_of_pair(approach.agents));
         let mut before = open.drain(..).peekable();
         for approach in near.drain(..) {
             while let Some(ended) = before.next_if(|known| known.pair < approach.agents) {
@@ -52,7 +53,10 @@ pub fn clashes(motion: &Motion, limit: f64) -> Vec<Approach> {
     for last in open {
         keep(&mut clashes, last.nearest);
     }
-    clashes.sort_unstable_by(|a, b| a.time.total_cmp(&b.time).then(a.agents.cmp(&b.agents)));
+    order::sort_by_key(&mut clashes, |clash| {
+        let (a, b) = clash.agents;
+        order::key_of_two(order::of_real(clash.time), u64::from(a) << 32 | u64::from(b))
+    });
     clashes
 }
 

@@ -6,6 +6,7 @@ use serde::Serialize;
 use super::Avoidance;
 use crate::formation::PairSearch;
 use crate::motion::Motion;
+use crate::order;
 
 /// An agent too near to another or to an obstacle at one end.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -45,7 +46,7 @@ pub(super) fn breaches(motion: &Motion, avoidance: &Avoidance, slack: f64, limit
                 breaches.push(Breach { end, agent: a, other: Other::Agent(b), distance });
             }
         });
-        breaches[first..].sort_unstable_by_key(|breach| (breach.agent, other_number(breach.other)));
+        order::sort_by_key(&mut breaches[first..], |breach| order::key_of_pair((breach.agent, other_number(breach.other))));
         covered(at.plan(), avoidance, least, |agent, obstacle, distance| {
             if breaches.len() < limit {
                 breaches.push(Breach { end, agent, other: Other::Obstacle(obstacle), distance });

@@ -7,6 +7,7 @@ use super::breaches::{Breach, Other};
 use super::obstacles::Round;
 use super::rungs::greatest_step;
 use crate::formation::PairSearch;
+use crate::order;
 
 /// Knots read together: a line of memory holds that many numbers of a path.
 const BLOCK: usize = 8;
@@ -17,6 +18,7 @@ pub(super) struct Lister {
     search: PairSearch,
     places: [Vec<DVec2>; BLOCK],
     keys: Vec<u64>,
+    spare: Vec<u64>,
 }
 
 impl Lister {
@@ -37,7 +39,9 @@ impl Lister {
                 meetings.into_iter().filter_map(|meeting| without_breaches(meeting, breaches, paths.agent_count(), knot_count)).collect();
         }
         if !outlines.is_empty() {
-            meetings.sort_unstable();
+            order::sort_by_key(&mut meetings, |meeting| {
+                order::key_of_two(u64::from(meeting.i) << 32 | u64::from(meeting.j), u64::from(meeting.from))
+            });
         }
         solver.list(meetings);
     }
@@ -63,7 +67,7 @@ impl Lister {
                 });
             }
         }
-        self.keys.sort_unstable();
+        order::sort_by_bytes(&mut self.keys, &mut self.spare, 0..size_of::<u64>(), |key, place| key.to_le_bytes()[place]);
     }
 
     fn read(&mut self, paths: &Paths, start: usize, end: usize) {

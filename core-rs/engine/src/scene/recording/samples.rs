@@ -26,7 +26,7 @@ pub(super) struct Sample {
 #[derive(Default)]
 pub(super) struct Samples {
     agents: Vec<String>,
-    numbers: BTreeMap<String, u32>,
+    numbers: BTreeMap<String, usize>,
     rows: Vec<Sample>,
 }
 
@@ -34,7 +34,7 @@ impl Samples {
     /// One more row, of the agent with this id.
     pub(super) fn add(&mut self, id: &str, sample: Sample) -> Result<(), Error> {
         let agent = match self.numbers.get(id) {
-            Some(&number) => number,
+            Some(&number) => number as u32,
             None => self.newcomer(id, sample.row)?,
         };
         at_most(self.rows.len() + 1, limits::RECORDING_ROWS, Counted::Rows, format_args!("row {}", sample.row))?;
@@ -78,10 +78,10 @@ impl Samples {
     fn newcomer(&mut self, id: &str, row: u64) -> Result<u32, Error> {
         at_most(self.agents.len() + 1, limits::AGENTS, Counted::Agents, format_args!("row {row}"))?;
         length(id, limits::NAME_CHARACTERS, format_args!("row {row}, the agent"))?;
-        let number = self.agents.len() as u32;
+        let number = self.agents.len();
         self.numbers.insert(id.to_owned(), number);
         self.agents.push(id.to_owned());
-        Ok(number)
+        Ok(number as u32)
     }
 
     fn once_each(&self) -> Result<(), Error> {

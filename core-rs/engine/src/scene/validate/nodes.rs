@@ -1,7 +1,5 @@
 //! Groups with a method of their own: groups that exist, once each.
 
-use std::collections::BTreeMap;
-
 use super::{at_most, certain, within};
 use crate::error::{Counted, Error};
 use crate::scene::place::Place;
@@ -9,13 +7,12 @@ use crate::scene::{Group, NodeSpec, limits};
 
 pub(super) fn check(nodes: &[NodeSpec], groups: &[Group], place: &Place) -> Result<(), Error> {
     at_most(nodes.len(), limits::NODES, Counted::Nodes, place)?;
-    let mut seen: BTreeMap<&[u32], usize> = BTreeMap::new();
     for (index, node) in nodes.iter().enumerate() {
         let here = place.item(index);
         if !leads_to_a_group(&node.group, groups) {
             return Err(Error::UnknownGroup { place: here.field("group").to_string() });
         }
-        if let Some(other) = seen.insert(&node.group, index) {
+        if let Some(other) = nodes[..index].iter().position(|other| other.group == node.group) {
             return Err(Error::RepeatedNode { other: place.item(other).to_string(), place: here.to_string() });
         }
         certain(node.method, here.field("method"))?;

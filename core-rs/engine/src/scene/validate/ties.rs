@@ -1,7 +1,5 @@
 //! Ties and cuts: pairs that exist, once each, and not too many when groups are expanded.
 
-use std::collections::BTreeSet;
-
 use super::{at_most, within};
 use crate::adjacency::{AdjacencySpec, COMPLETE_GROUP_LIMIT, GroupTie, TooManyTies, expanded_tie_count};
 use crate::error::{Counted, Error};
@@ -58,7 +56,6 @@ fn lists(spec: &AdjacencySpec, counts: &Counts, place: &Place) -> Result<(), Err
 
 fn obstacle_ties(ties: &[(u32, u32, f64)], counts: &Counts, place: &Place) -> Result<(), Error> {
     at_most(ties.len(), limits::TIES_PER_KEYFRAME, Counted::Ties, place)?;
-    let mut seen = BTreeSet::new();
     for (index, &(agent, obstacle, factor)) in ties.iter().enumerate() {
         let place = place.item(index);
         let (agent_count, obstacle_count) = (counts.agents, counts.obstacles);
@@ -69,11 +66,11 @@ fn obstacle_ties(ties: &[(u32, u32, f64)], counts: &Counts, place: &Place) -> Re
             return Err(Error::UnknownObstacle { obstacle, obstacle_count, place: place.to_string() });
         }
         within(factor, &limits::FACTOR, place)?;
-        if !seen.insert((agent, obstacle)) {
-            return Err(Error::RepeatedObstacleTie { agent, obstacle, place: place.to_string() });
-        }
     }
-    Ok(())
+    match repeated(ties.iter().map(|&(agent, obstacle, _)| (agent, obstacle))) {
+        Some(((agent, obstacle), index)) => Err(Error::RepeatedObstacleTie { agent, obstacle, place: place.item(index).to_string() }),
+        None => Ok(()),
+    }
 }
 
 fn pair(a: u32, b: u32, agent_count: usize, place: &Place) -> Result<(), Error> {
@@ -86,15 +83,18 @@ fn pair(a: u32, b: u32, agent_count: usize, place: &Place) -> Result<(), Error> 
 }
 
 fn once(pairs: impl Iterator<Item = (u32, u32)>, place: &Place) -> Result<(), Error> {
-    let pairs: Vec<(u32, u32)> = pairs.map(|(a, b)| (a.min(b), a.max(b))).collect();
-    let order = order::by_key(pairs.iter().map(|pair| order::key_of_pair(*pair)));
-    match order.windows(2).find(|two| pairs[two[0] as usize] == pairs[two[1] as usize]) {
-        Some(two) => {
-            let (a, b) = pairs[two[1] as usize];
-            Err(Error::RepeatedPair { a, b, place: place.item(two[1] as usize).to_string() })
-        }
+    match repeated(pairs.map(|(a, b)| (a.min(b), a.max(b)))) {
+        Some(((a, b), index)) => Err(Error::RepeatedPair { a, b, place: place.item(index).to_string() }),
         None => Ok(()),
     }
+}
+
+/// A pair that was there before, and its index.
+fn repeated(pairs: impl Iterator<Item = (u32, u32)>) -> Option<((u32, u32), usize)> {
+    let pairs: Vec<(u32, u32)> = pairs.collect();
+    let order = order::by_key(pairs.iter().map(|pair| order::key_of_pair(*pair)));
+    let two = order.windows(2).find(|two| pairs[two[0] as usize] == pairs[two[1] as usize])?;
+    Some((pairs[two[1] as usize], two[1] as usize))
 }
 
 /// What groups tie at any keyframe; where it depends on the formation, it is counted there.
