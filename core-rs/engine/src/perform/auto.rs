@@ -5,7 +5,7 @@ use crate::choice::{Alignment, Choice, DEFAULT_SHARING, MethodName, Order};
 use crate::measure::Score;
 
 /// Above this many agents fewer spectral candidates are tried: each costs a dense eigenproblem.
-const FULL_TRIAL_LIMIT: usize = 400;
+pub(super) const FULL_TRIAL_LIMIT: usize = 400;
 
 /// Frames that a candidate is judged on: t = 0, 1/16, …, 1.
 pub(super) const TRIAL_FRAMES: usize = 17;
@@ -44,18 +44,13 @@ pub(super) fn decide(tried: Vec<(Choice, Score)>) -> Vec<Candidate> {
             best = index;
         }
     }
-    tried
-        .into_iter()
-        .enumerate()
-        .map(|(index, (choice, score))| Candidate {
-            choice,
-            distortion: score.distortion,
-            turning: score.turning,
-            clearance: score.clearance,
-            score: score.total,
-            is_chosen: index == best,
-        })
-        .collect()
+    tried.into_iter().enumerate().map(|(index, (choice, score))| candidate(choice, &score, index == best)).collect()
+}
+
+/// A row of the table.
+pub(super) fn candidate(choice: Choice, score: &Score, is_chosen: bool) -> Candidate {
+    let Score { distortion, turning, clearance, total } = *score;
+    Candidate { choice, distortion, turning, clearance, score: total, is_chosen }
 }
 
 #[cfg(test)]

@@ -53,6 +53,16 @@ impl Kept {
     pub(super) fn as_is(motion: Motion) -> Self {
         Self { motion, deviation: None, avoided: None }
     }
+
+    /// How many meetings are still too near.
+    pub(super) fn unsolved_count(&self) -> usize {
+        self.avoided.as_ref().map_or(0, |avoided| avoided.unsolved.len())
+    }
+
+    /// Whether a keyframe itself is to blame.
+    pub(super) fn has_breaches(&self) -> bool {
+        self.avoided.as_ref().is_some_and(|avoided| !avoided.breaches.is_empty())
+    }
 }
 
 impl Avoiding {

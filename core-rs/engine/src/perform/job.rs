@@ -9,8 +9,9 @@ use super::avoid::{Avoiding, Kept};
 use super::brief::Brief;
 use super::clock::{Clock, path_parameters};
 use super::performed::{Candidate, Performed};
+use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
-use super::trial::{Trial, chosen};
+use super::trial::{Trial, chosen, with_resort};
 use crate::choice::Choice;
 use crate::edits::Deviation;
 use crate::error::Error;
@@ -61,6 +62,7 @@ struct Work {
     scene: Scene,
     brief: Brief,
     stage: Stage,
+    resorts: Resorts,
     /// Steps so far; a spectral candidate takes several.
     steps: usize,
 }
@@ -89,14 +91,22 @@ struct Choosing {
     candidates: Arc<Vec<Candidate>>,
 }
 
-struct Plan {
-    chain: Chain,
-    ways: Ways,
+pub(super) struct Plan {
+    pub(super) chain: Chain,
+    pub(super) ways: Ways,
     /// Where the segment goes by groups.
     hierarchy: Option<Hierarchy>,
     /// Where the samples will be, as far as the clock is known.
     ts: Arc<[f64]>,
     candidates: Arc<Vec<Candidate>>,
+}
+
+impl Plan {
+    /// The same segment as a whole by another way, whatever is beside it.
+    pub(super) fn by(&self, choice: Choice, keeps_size: bool) -> Self {
+        let ways = Ways::all(Way::of(choice, keeps_size));
+        Self { chain: self.chain.clone(), ways, hierarchy: None, ts: self.ts.clone(), candidates: self.candidates.clone() }
+    }
 }
 
 impl SegmentJob {
@@ -105,7 +115,7 @@ impl SegmentJob {
     }
 
     pub(super) fn new(scene: Scene, brief: Brief) -> Self {
-        Self(Phase::Work(Box::new(Work { scene, brief, stage: Stage::Tying(Vec::new()), steps: 0 })))
+        Self(Phase::Work(Box::new(Work { scene, brief, stage: Stage::Tying(Vec::new()), resorts: Resorts::default(), steps: 0 })))
     }
 
     /// Works for a while: usually some milliseconds, longer where one eigenproblem of many agents is one step.
@@ -153,15 +163,19 @@ impl Work {
                     let guide = Motion::sampled(times, plan.chain.agent_count(), positions, samples.heights.take());
                     match Avoiding::of(&self.brief, guide) {
                         Ok(avoiding) => Stage::Avoiding(plan, clock, samples, Box::new(avoiding)),
-                        Err(motion) => return Ok(Some(self.finish(&plan, clock, samples, Kept::as_is(motion)))),
+                        Err(motion) => return Ok(Some(self.finish(Attempt { plan, clock, samples, kept: Kept::as_is(motion) }))),
                     }
                 }
             }
             Stage::Avoiding(plan, clock, samples, mut avoiding) => {
-                if let Some(kept) = avoiding.step(&self.brief, &plan.ways.own.choice) {
-                    return Ok(Some(self.finish(&plan, clock, samples, kept)));
+                let Some(kept) = avoiding.step(&self.brief, &plan.ways.own.choice) else {
+                    self.stage = Stage::Avoiding(plan, clock, samples, avoiding);
+                    return Ok(None);
+                };
+                match self.resorts.after(Attempt { plan, clock, samples, kept }, &self.brief) {
+                    Next::Keep(attempt) => return Ok(Some(self.finish(*attempt))),
+                    Next::Try(plan) => Stage::Planning(*plan),
                 }
-                Stage::Avoiding(plan, clock, samples, avoiding)
             }
         };
         Ok(None)
@@ -263,14 +277,16 @@ impl Work {
         Stage::Moving(plan, clock, times, Sampling::new(transition, ts, has_heights))
     }
 
-    fn finish(&self, plan: &Plan, clock: Clock, samples: Sampling, kept: Kept) -> Performed {
+    fn finish(&self, attempt: Attempt) -> Performed {
+        let Attempt { plan, clock, samples, kept } = attempt;
         let (chain, brief) = (&plan.chain, &self.brief);
         let [source, target] = [&chain.ends()[chain.at()], &chain.ends()[chain.at() + 1]];
         let Kept { motion, deviation, avoided } = kept;
         let (measures, curves) = measure::measure(&motion, &samples.ts, [&source.adjacency, &target.adjacency], brief.minimum_distance);
+        let choice = plan.ways.own.choice;
         Performed {
-            choice: plan.ways.own.choice,
-            candidates: plan.candidates.to_vec(),
+            choice,
+            candidates: with_resort(&plan.candidates, choice, chain, &*samples.transition, brief.minimum_distance),
             motion,
             measures,
             curves,
@@ -285,6 +301,9 @@ impl Work {
 
     /// Rises with every step; how many steps the planning takes is not known before.
     fn progress(&self) -> f64 {
+        if self.resorts.are_needed() {
+            return PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + AVOIDING_SHARE;
+        }
         match &self.stage {
             Stage::Tying(_) => PLANNING_SHARE * self.planned(0, 3),
             Stage::Choosing(Choosing { trial, known, .. }) => {

@@ -12,6 +12,7 @@ mod job;
 mod levels;
 mod modes;
 mod performed;
+mod resorts;
 mod sampling;
 mod show;
 mod text;

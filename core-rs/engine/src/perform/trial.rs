@@ -79,7 +79,7 @@ impl Trial {
             _ => planner.step(&self.chain, &Ways::all(Way::of(choice, self.question.keeps_size)))?,
         };
         self.left.pop();
-        self.tried.push((choice, self.judge(&*transition)));
+        self.tried.push((choice, judge(&self.chain, &*transition, self.question.minimum_distance)));
         None
     }
 
@@ -87,17 +87,40 @@ impl Trial {
     pub(super) fn left(&self) -> usize {
         self.left.len()
     }
+}
 
-    fn judge(&self, transition: &dyn Transition) -> Score {
-        let ts = auto::trial_parameters();
-        let count = ts.len() * transition.agent_count();
-        let mut positions = vec![DVec2::ZERO; count];
-        let mut heights = self.chain.has_heights().then(|| vec![0.0; count]);
-        transition.evaluate_into(&ts, &mut positions, heights.as_deref_mut());
-        let motion = Motion::sampled(ts.clone(), transition.agent_count(), positions, heights);
-        let Question { source, target, minimum_distance, .. } = &self.question;
-        measure::score(&motion, &ts, [&source.adjacency, &target.adjacency], *minimum_distance)
+/// A segment's score one way; `chain` begins with its two keyframes or stands at them.
+fn judge(chain: &Chain, transition: &dyn Transition, minimum_distance: f64) -> Score {
+    let ts = auto::trial_parameters();
+    let count = ts.len() * transition.agent_count();
+    let mut positions = vec![DVec2::ZERO; count];
+    let mut heights = chain.has_heights().then(|| vec![0.0; count]);
+    transition.evaluate_into(&ts, &mut positions, heights.as_deref_mut());
+    let motion = Motion::sampled(ts.clone(), transition.agent_count(), positions, heights);
+    let [source, target] = [chain.at(), chain.at() + 1].map(|end| &*chain.ends()[end].adjacency);
+    measure::score(&motion, &ts, [source, target], minimum_distance)
+}
+
+/// The table with the way that was taken in the end marked: a row of its own where auto had not tried it.
+pub(super) fn with_resort(
+    table: &[Candidate],
+    choice: Choice,
+    chain: &Chain,
+    transition: &dyn Transition,
+    minimum_distance: f64,
+) -> Vec<Candidate> {
+    let mut table = table.to_vec();
+    if table.is_empty() || chosen(&table) == choice {
+        return table;
     }
+    if !table.iter().any(|candidate| candidate.choice == choice) {
+        let score = judge(chain, transition, minimum_distance);
+        table.push(auto::candidate(choice, &score, true));
+    }
+    for candidate in &mut table {
+        candidate.is_chosen = candidate.choice == choice;
+    }
+    table
 }
 
 /// The choice that a table marks.
