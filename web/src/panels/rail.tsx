@@ -1,5 +1,5 @@
 import "./rail.css";
-import { Group, Hand, type IconNode, MousePointer2, PencilLine, Shapes, Spline } from "lucide";
+import { Group, Hand, type IconNode, MousePointer2, PencilLine, Shapes, Spline, TrafficCone } from "lucide";
 import { Icon } from "../theme/icons";
 import type { ToolName } from "../tools/toolbox";
 import { moveFocus } from "./roving";
@@ -22,6 +22,7 @@ const GROUPS: readonly (readonly RailTool[])[] = [
   [
     { tool: "tie", name: "Tie", icon: Spline },
     { tool: "group", name: "Group", icon: Group },
+    { tool: "obstacle", name: "Obstacle", icon: TrafficCone },
   ],
   [{ tool: "pan", name: "Pan", icon: Hand }],
 ];
@@ -52,7 +53,7 @@ function ToolButton({ tool, name, icon }: RailTool) {
   const { toolbox } = useStudio();
   const { action } = useAction(`tool-${tool}`);
   const isActive = toolbox.active.value === tool;
-  const isMaking = isActive && (tool === "draw" || tool === "shape");
+  const isMaking = isActive && ["draw", "shape", "obstacle"].includes(tool);
   const key = action.keys[0];
   return (
     <button
@@ -60,7 +61,7 @@ function ToolButton({ tool, name, icon }: RailTool) {
       class="tool"
       aria-label={name}
       aria-pressed={isActive}
-      aria-description={isMaking ? "Press again to place the shape in the middle" : undefined}
+      aria-description={isMaking ? "Press again to place it in the middle" : undefined}
       aria-keyshortcuts={keyShortcuts(action.keys)}
       tabIndex={isActive ? 0 : -1}
       data-tip={name}

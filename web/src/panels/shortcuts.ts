@@ -14,8 +14,9 @@ export const SHORTCUTS = {
   "tool-shape": { section: "Tools", label: "Shape", keys: ["S"] },
   "tool-tie": { section: "Tools", label: "Tie", keys: ["T"] },
   "tool-group": { section: "Tools", label: "Group", keys: ["G"] },
+  "tool-obstacle": { section: "Tools", label: "Obstacle", keys: ["O"] },
   "tool-pan": { section: "Tools", label: "Pan", keys: ["H"] },
-  "place-in-middle": { section: "Tools", label: "Place the shape in the middle", keys: ["Enter"] },
+  "place-in-middle": { section: "Tools", label: "Place it in the middle, or close the polygon", keys: ["Enter"] },
   cancel: { section: "Tools", label: "Cancel or deselect", keys: ["Escape"] },
 
   play: { section: "Play", label: "Play or pause", keys: ["Space"] },

@@ -5,7 +5,7 @@ import type { ToolName } from "../tools/toolbox";
 import type { ActionParts, Doing, Doings } from "./doing";
 
 type ViewId =
-  | `tool-${Exclude<ToolName, "obstacle">}`
+  | `tool-${ToolName}`
   | "place-in-middle"
   | "cancel"
   | "front"
@@ -44,9 +44,10 @@ export function viewActions({ document, view, toolbox, messages, cancelGesture }
     "tool-shape": tool("shape"),
     "tool-tie": tool("tie"),
     "tool-group": tool("group"),
+    "tool-obstacle": tool("obstacle"),
     "tool-pan": tool("pan"),
     "place-in-middle": {
-      isEnabled: computed(() => toolbox.active.value === "draw" || toolbox.active.value === "shape"),
+      isEnabled: computed(() => ["draw", "shape", "obstacle"].includes(toolbox.active.value)),
       run: () => toolbox.placeInMiddle(),
     },
     cancel: {

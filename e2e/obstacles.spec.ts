@@ -1,0 +1,61 @@
+import { expect, test, textOf } from "./fixtures/studio";
+
+test("an obstacle is placed, measured, named and deleted by keys alone", async ({ studio, page }) => {
+  await studio.openEmpty();
+  await page.keyboard.press("o");
+  await expect(studio.tool("Obstacle")).toHaveAttribute("aria-pressed", "true");
+  await studio.tool("Obstacle").focus();
+  await page.keyboard.press("Enter");
+  const radius = studio.inspector.getByRole("spinbutton", { name: "Radius" });
+  await expect(radius).toHaveValue("2");
+  await radius.fill("1.25");
+  await radius.press("Enter");
+  const name = studio.inspector.getByRole("textbox", { name: "Name" });
+  await name.fill("Fountain");
+  await name.press("Enter");
+  await expect(studio.inspector.getByRole("heading", { name: "Fountain" })).toBeVisible();
+  const { obstacles } = await studio.sceneFile();
+  expect(obstacles).toMatchObject([{ name: "Fountain", kind: "circle", radius: 1.25 }]);
+  await studio.tool("Obstacle").focus();
+  await page.keyboard.press("Delete");
+  await expect(studio.inspector.getByRole("heading", { name: "Fountain" })).toHaveCount(0);
+  await page.keyboard.press("Control+z");
+  await expect.poll(async () => (await studio.sceneFile()).obstacles?.length).toBe(1);
+});
+
+test("a drag makes a circle, clicks a polygon, and agents go around", async ({ studio, page }) => {
+  await studio.makeShow();
+  await studio.tool("Obstacle").click();
+  await studio.drag([
+    [0.5, 0.47],
+    [0.5, 0.5],
+  ]);
+  for (const corner of [
+    [0.1, 0.8],
+    [0.2, 0.8],
+    [0.2, 0.9],
+  ] as const) {
+    await studio.click(corner);
+  }
+  await page.keyboard.press("Enter");
+  const file = await studio.sceneFile();
+  expect(file.obstacles?.map(({ kind }) => kind)).toEqual(["circle", "polygon"]);
+
+  await test.step("both are there again after a reload", async () => {
+    await expect(page.getByText("Saved on this device")).toBeVisible();
+    await page.reload();
+    await expect.poll(async () => (await studio.sceneFile()).obstacles).toEqual(file.obstacles);
+  });
+
+  await test.step("the clearance is kept at every frame", async () => {
+    await studio.planned();
+    await studio.button("Export").click();
+    const text = await textOf(await studio.downloadOf(() => studio.button("Download Motion, JSON").click()));
+    const { positions } = JSON.parse(text) as { positions: [number, number][][] };
+    const circle = file.obstacles?.[0];
+    if (circle?.kind !== "circle") throw new Error("the first obstacle is a circle");
+    const [x, y] = circle.center;
+    const distances = positions.flat().map((at) => Math.hypot(at[0] - x, at[1] - y) - circle.radius);
+    expect(Math.min(...distances)).toBeGreaterThanOrEqual(0.5 - 1e-3);
+  });
+});
