@@ -52,29 +52,13 @@ struct Counts {
 /// The scene without what this program does not do yet.
 fn supported(mut scene: Scene) -> Scene {
     while let Err(Error::Unsupported { place, .. }) = validate(&scene) {
-        let track = &mut scene.tracks[0];
-        let transitions = track.segments.iter_mut().map(|Segment::Transition(transition)| transition);
-        match place.rsplit('.').next() {
-            Some("join") => scene.join = Join::default(),
-            Some("corner") => track.keyframes.iter_mut().for_each(|keyframe| keyframe.corner = false),
-            Some("timing") => transitions.for_each(|transition| transition.timing = Timing::default()),
-            Some("avoidance") => transitions.for_each(|transition| transition.avoidance = false),
-            Some("hierarchy") => transitions.for_each(|transition| transition.hierarchy = false),
-            Some("nodes") => transitions.for_each(|transition| transition.nodes.clear()),
-            Some("obstacleTies" | "obstacles") => without_obstacles(&mut scene),
-            Some("positions") => track.keyframes.iter_mut().for_each(|keyframe| {
-                keyframe.positions = Arc::new(Formation::new(keyframe.positions.positions().to_vec()));
-            }),
+        match place.as_str() {
+            "join" => scene.join = Join::default(),
+            "adjacency.obstacleTies" => Arc::make_mut(&mut scene.adjacency).obstacle_ties.clear(),
             _ => panic!("{place} was made by chance but is never supported"),
         }
     }
     scene
-}
-
-fn without_obstacles(scene: &mut Scene) {
-    scene.obstacles = Arc::default();
-    let own = scene.tracks[0].keyframes.iter_mut().filter_map(|keyframe| keyframe.adjacency.as_mut());
-    own.chain([&mut scene.adjacency]).for_each(|spec| Arc::make_mut(spec).obstacle_ties.clear());
 }
 
 fn join() -> impl Strategy<Value = Join> {
