@@ -27,6 +27,28 @@ const RICH: &str = r##"{
   ]
 }"##;
 
+/// What was added behind the closing flag: joins, corners, even timing, avoidance, hierarchy, obstacles and heights.
+const ADDED: &str = r#"{
+  "format": "eigenform", "version": 1, "minimumDistance": 0.5, "join": "smooth", "tension": 0.25,
+  "groups": [{ "name": "Wing", "members": [0], "children": [{ "members": [1] }] }],
+  "keyframes": [
+    { "positions": [[0, 0, 1], [2, 0, 3.5], [4, 1, -2]] },
+    { "time": 4, "corner": true, "positions": [[5, 5, 1], [-5, 5, 3.5], [-5, -5, 0]] },
+    { "time": 8, "positions": [[0, 1, 2], [2, 1, 2], [4, 2, 2]] }
+  ],
+  "segments": [
+    { "method": "linear", "timing": "even", "avoidance": true },
+    {
+      "avoidance": true, "hierarchy": true,
+      "nodes": [{ "method": "polar" }, { "group": [0, 0], "method": "linear", "blend": { "method": "spectral", "amount": 0.3 } }]
+    }
+  ],
+  "obstacles": [
+    { "name": "Tower", "kind": "circle", "center": [20, -3.5], "radius": 1.25 },
+    { "kind": "polygon", "points": [[30, 0], [34, 0], [34, 2], [32, 2], [32, 6], [30, 6]] }
+  ]
+}"#;
+
 /// The scene has this link, and the link is that of the scene it opens.
 fn check(scene: &str, precision: Precision, link: &str) {
     let scene = read_json(scene).expect("a scene");
@@ -54,4 +76,13 @@ fn the_links_of_the_first_format_stay_what_they_were() {
         "#s=1.pgE-FTFpAT3hEADO63nN6SCj2ARIwB4esawMHwAPDb2owRqM4NhVVBQ1qFdAlGh_560GJq2rjkABowdDNwxukSefOpl2iO8vyAlOt9MyX5hfq3ZhOIvlL14B\
          5sVvCuALLjTY-YpSCth35PI6QR7yKBirILVSAUq2VOAWGgUKcXYhaxXRTjv2PYx0mPGbhKZBtAQFvGHSeqiox3ufG73xCtJEPExD6tt_atXMZA",
     );
+}
+
+#[test]
+fn so_do_those_of_what_was_added() {
+    let link = "#s=1.WyrPRlMp6mLCyH6KkW4fVv4xL0Pc8EUsJLc0KjA9o-ArjWn5PI88m5lZP4DF4--eI_W5_DuAYZ9-DA3L-RitGTu4BNCYiJ5oQL8wQj5_rmJWf-LT0SwTRQzaa\
+                nvONn0W";
+    check(ADDED, Precision::Exact, link);
+    check(ADDED, Precision::Short, link);
+    assert_eq!(decode(link), read_json(ADDED));
 }
