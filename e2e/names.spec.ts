@@ -7,7 +7,7 @@ test("the page has its regions, tools and buttons", async ({ studio, page }) => 
   for (const name of ["Stage", "Timeline", "Inspector"]) {
     await expect(page.getByRole("region", { name, exact: true })).toBeVisible();
   }
-  for (const name of ["Select", "Draw", "Shape", "Tie", "Group", "Pan"]) {
+  for (const name of ["Select", "Draw", "Shape", "Tie", "Group", "Obstacle", "Pan"]) {
     await expect(studio.tool(name)).toBeVisible();
   }
   const commands = ["New", "Undo", "Redo", "Examples", "Open", "Save", "Share", "Export", "Help"];
@@ -91,7 +91,6 @@ test("everybody is in the grid of agents, with live coordinates", async ({ studi
 
 test("what belongs to a later version is absent, never a dead control", async ({ studio, page }) => {
   await studio.openFirst();
-  await expect(studio.tool("Obstacle")).toHaveCount(0);
   await studio.planned();
   await studio.transitions.first().click();
   await expect(studio.inspector.getByRole("combobox", { name: "Method" })).toBeVisible();
@@ -100,6 +99,6 @@ test("what belongs to a later version is absent, never a dead control", async ({
     await expect(page.getByRole("checkbox", { name })).toHaveCount(0);
   }
   await page.keyboard.press("Control+k");
-  await page.getByRole("combobox", { name: "Search commands" }).fill("obstacle");
-  await expect(page.getByRole("option", { name: /obstacle/i })).toHaveCount(0);
+  await page.getByRole("combobox", { name: "Search commands" }).fill("assignment");
+  await expect(page.getByRole("option", { name: /assignment/i })).toHaveCount(0);
 });

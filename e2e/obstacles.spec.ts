@@ -16,8 +16,7 @@ test("an obstacle is placed, measured, named and deleted by keys alone", async (
   await expect(studio.inspector.getByRole("heading", { name: "Fountain" })).toBeVisible();
   const { obstacles } = await studio.sceneFile();
   expect(obstacles).toMatchObject([{ name: "Fountain", kind: "circle", radius: 1.25 }]);
-  await studio.tool("Obstacle").focus();
-  await page.keyboard.press("Delete");
+  await studio.inspector.getByRole("button", { name: /^Delete/ }).press("Enter");
   await expect(studio.inspector.getByRole("heading", { name: "Fountain" })).toHaveCount(0);
   await page.keyboard.press("Control+z");
   await expect.poll(async () => (await studio.sceneFile()).obstacles?.length).toBe(1);
