@@ -1,11 +1,11 @@
 import type { Selection } from "../document/selection";
 import type { TieList } from "../engine/api";
 import type { Overlay } from "../tools/toolbox";
-import type { Bounds } from "./camera";
 import type { Frame } from "./frame";
-import { type SelectionBox, selectionBounds, selectionBox } from "./handles";
+import { handlePlace, type Lifts, type SelectionBox, selectionBounds, selectionBox } from "./handles";
 import { drawNamePill, needsPill } from "./layers/name-pill";
 import { drawOverlay } from "./layers/overlay";
+import { drawReadout } from "./layers/readout";
 import { drawSelectedTie } from "./layers/selected-tie";
 import { drawBox, drawHoverRing, drawRings } from "./layers/selection";
 import { FEW_SELECTED } from "./subject";
@@ -20,6 +20,7 @@ export interface HandlesPicture {
   areNamesShown: boolean;
   /** A box with handles about the selection, rather than rings only. */
   hasBox: boolean;
+  lifts: Lifts;
   /** Of the keyframe at hand, for the weight of a selected tie. */
   ties: TieList | null;
 }
@@ -36,8 +37,7 @@ export function drawHandles(context: CanvasRenderingContext2D, frame: Frame, pic
   if (hovered !== null && hovered < frame.agentCount && !selected.has(hovered)) drawHoverRing(context, frame, hovered);
   if (picture.hasBox) {
     const bounds = selectionBounds(frame.places, selected);
-    const box = bounds && isExtended(bounds) ? boxOf(frame, bounds) : null;
-    if (box) drawBox(context, frame, box);
+    if (bounds) drawBoxed(context, frame, picture, selectionBox(bounds, frame.camera, frame.radius));
   }
   drawNamePills(context, frame, picture);
   drawOverlay(context, frame, overlay);
@@ -56,13 +56,18 @@ function drawNamePills(context: CanvasRenderingContext2D, frame: Frame, picture:
   }
 }
 
-function boxOf(frame: Frame, bounds: Bounds): SelectionBox {
-  return selectionBox(bounds, frame.camera, frame.radius);
-}
-
-/** One agent, or several on one spot, can neither be scaled nor turned. */
-function isExtended(bounds: Bounds): boolean {
-  return bounds.maxX > bounds.minX || bounds.maxY > bounds.minY;
+/** The box, and how high its agents are while the handle to lift is in hand. */
+function drawBoxed(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  { overlay, lifts }: HandlesPicture,
+  box: SelectionBox,
+): void {
+  const lifted = overlay.kind === "lift" ? overlay.by * frame.camera.scale : 0;
+  drawBox(context, frame, box, lifts, lifted);
+  if (overlay.kind !== "lift") return;
+  const { x, y } = handlePlace(box, "lift");
+  drawReadout(context, frame, overlay.words, x, y - lifted - 22);
 }
 
 function factorOf(ties: TieList | null, a: number, b: number): number {

@@ -1,6 +1,15 @@
 import { describe, expect, it } from "vitest";
 import { toScreen } from "./camera";
-import { handleAt, handlePlace, SCALE_HANDLES, scaleAnchor, selectionBounds, selectionBox } from "./handles";
+import {
+  handleAt,
+  handlePlace,
+  handlesOf,
+  liftsOf,
+  SCALE_HANDLES,
+  scaleAnchor,
+  selectionBounds,
+  selectionBox,
+} from "./handles";
 import type { Camera } from "./view";
 
 const camera: Camera = { scale: 20, left: 400, top: 300 };
@@ -23,13 +32,22 @@ describe("handles", () => {
   });
 
   it("every handle is found where it is drawn", () => {
-    for (const handle of [...SCALE_HANDLES, "rotate"] as const) {
-      expect(handleAt(box, handlePlace(box, handle), 9)).toBe(handle);
-    }
+    const handles = handlesOf(box, "boxes");
+    expect(handles).toContain("lift");
+    for (const handle of handles) expect(handleAt(box, handles, handlePlace(box, handle), 9)).toBe(handle);
+  });
+
+  it("one agent can be pulled up where the show has heights, and from the front nobody need be", () => {
+    const alone = selectionBox({ minX: 1, minY: 1, maxX: 1, maxY: 1 }, camera, 8);
+    expect(handlesOf(alone, liftsOf("plan", true))).toEqual(["lift"]);
+    expect(handlesOf(alone, liftsOf("plan", false))).toEqual([]);
+    expect(handlesOf(box, liftsOf("front", true))).not.toContain("lift");
   });
 
   it("the middle of the box is no handle", () => {
-    expect(handleAt(box, { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 }, 9)).toBeNull();
+    expect(
+      handleAt(box, handlesOf(box, "boxes"), { x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 }, 9),
+    ).toBeNull();
   });
 
   it("what a handle scales about lies across the box from it", () => {

@@ -1,14 +1,19 @@
 import type { Bounds, ScreenPoint } from "./camera";
-import type { Camera } from "./view";
+import type { Camera, Projection } from "./view";
 
-/** Compass corners and edges scale, `rotate` turns; north is up on the screen. */
+/** Compass corners and edges scale, `rotate` turns, `lift` raises; north is up on the screen. */
 export type ScaleHandle = "nw" | "n" | "ne" | "e" | "se" | "s" | "sw" | "w";
-export type Handle = ScaleHandle | "rotate";
+export type Handle = ScaleHandle | "rotate" | "lift";
 
 export const SCALE_HANDLES: readonly ScaleHandle[] = ["nw", "n", "ne", "e", "se", "s", "sw", "w"];
 
-/** CSS pixels: distance of the rotate handle above the box. */
-const ROTATE_REACH = 22;
+/** Which selections can be pulled up: all, those with a box, or none where up on the screen is height already. */
+export type Lifts = "everybody" | "boxes" | "nobody";
+
+/** CSS pixels: how far the handle to turn stands above the box, and the one to lift beside it. */
+const REACH = 22;
+/** How far the one to lift stands above the box that agents on one spot would have. */
+const REACH_OF_SPOT = 8;
 
 /** The frame around the selected agents: CSS pixels on the stage element. */
 export interface SelectionBox {
@@ -16,6 +21,14 @@ export interface SelectionBox {
   readonly top: number;
   readonly right: number;
   readonly bottom: number;
+  /** One agent, or several on one spot: nothing to scale or to turn, and no frame is drawn. */
+  readonly isSpot: boolean;
+}
+
+/** A plane show keeps single agents free of a handle: most are never lifted. */
+export function liftsOf(projection: Projection, isSpatial: boolean): Lifts {
+  if (projection === "front") return "nobody";
+  return isSpatial ? "everybody" : "boxes";
 }
 
 /** Where the selected agents stand: meters, no margin; null when none is. */
@@ -44,25 +57,35 @@ export function selectionBox(bounds: Bounds, camera: Camera, radius: number): Se
     top: crisp(camera.top - bounds.maxY * camera.scale - margin),
     right: crisp(bounds.maxX * camera.scale + camera.left + margin),
     bottom: crisp(camera.top - bounds.minY * camera.scale + margin),
+    isSpot: bounds.minX === bounds.maxX && bounds.minY === bounds.maxY,
   };
+}
+
+/** The handles a box has. */
+export function handlesOf(box: SelectionBox, lifts: Lifts): readonly Handle[] {
+  if (box.isSpot) return lifts === "everybody" ? ["lift"] : [];
+  return lifts === "nobody" ? [...SCALE_HANDLES, "rotate"] : [...SCALE_HANDLES, "rotate", "lift"];
 }
 
 /** The middle of a handle on the screen. */
 export function handlePlace(box: SelectionBox, handle: Handle): ScreenPoint {
   const middleX = (box.left + box.right) / 2;
   const middleY = (box.top + box.bottom) / 2;
-  if (handle === "rotate") return { x: middleX, y: box.top - ROTATE_REACH };
+  if (handle === "rotate") return { x: middleX, y: box.top - REACH };
+  if (handle === "lift") {
+    return box.isSpot ? { x: middleX, y: box.top - REACH_OF_SPOT } : { x: box.right + REACH, y: middleY };
+  }
   return {
     x: handle.includes("w") ? box.left : handle.includes("e") ? box.right : middleX,
     y: handle.includes("n") ? box.top : handle.includes("s") ? box.bottom : middleY,
   };
 }
 
-/** The handle within `reach` pixels of `at`, nearest first; null when there is none. */
-export function handleAt(box: SelectionBox, at: ScreenPoint, reach: number): Handle | null {
+/** The one of `handles` within `reach` pixels of `at`, nearest first; null when there is none. */
+export function handleAt(box: SelectionBox, handles: readonly Handle[], at: ScreenPoint, reach: number): Handle | null {
   let best: Handle | null = null;
   let nearest = reach;
-  for (const handle of [...SCALE_HANDLES, "rotate"] as const) {
+  for (const handle of handles) {
     const place = handlePlace(box, handle);
     const distance = Math.hypot(place.x - at.x, place.y - at.y);
     if (distance <= nearest) {
@@ -90,6 +113,7 @@ export function handleCursor(handle: Handle): string {
       return "grab";
     case "n":
     case "s":
+    case "lift":
       return "ns-resize";
     case "e":
     case "w":

@@ -3,6 +3,7 @@ import type { Cast } from "./cast";
 import type { HandlesPicture } from "./draw-handles";
 import { createMotionPainter, type MotionPicture, outlinedGroup } from "./draw-motion";
 import { Frame } from "./frame";
+import { liftsOf } from "./handles";
 import type { StageInputs } from "./inputs";
 import { later } from "./later";
 import { drawBackdrop } from "./layers/backdrop";
@@ -62,6 +63,7 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     overlay: { kind: "none" },
     areNamesShown: true,
     hasBox: false,
+    lifts: "nobody",
     ties: null,
   };
   const paintMoving = createMotionPainter(frame, moving, canvases.scratch);
@@ -102,6 +104,7 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     const { kind } = handles.selection;
     const isSelecting = toolbox.active.peek() === "select" && (kind === "agents" || kind === "group");
     handles.hasBox = isSelecting && !playback.isPlaying.peek() && handles.overlay.kind !== "marquee";
+    handles.lifts = liftsOf(view.projection.peek(), moving.show.isSpatial);
     handles.ties = subject.ties.peek()[moving.show.keyframeBefore(moving.time)] ?? null;
   }
 

@@ -7,7 +7,7 @@ import type { Pointing } from "./tool";
 
 /** Turns and stretches agents by the handles of their box. */
 export interface BoxGesture {
-  readonly handle: Handle;
+  readonly handle: Exclude<Handle, "lift">;
   /** Where the handle was taken, meters. */
   readonly origin: Point;
   readonly bounds: Bounds;

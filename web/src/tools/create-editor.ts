@@ -5,7 +5,7 @@ import { mainTrack } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { lengthWithUnit } from "../document/units";
 import type { Playback } from "../playback/playback";
-import { handleAt, selectionBounds, selectionBox } from "../stage/handles";
+import { handleAt, handlesOf, liftsOf, selectionBounds, selectionBox } from "../stage/handles";
 import { agentAt, agentReach, agentsWithin, handleReach, tieAt, tieReach } from "../stage/hit";
 import { discRadius, screenSpacing, spacingAt } from "../stage/spacing";
 import type { View } from "../stage/view";
@@ -57,6 +57,9 @@ export function createEditor(parts: ToolParts, settings: Pick<Toolbox, "shape" |
     get tieScope() {
       return settings.tieScope.peek();
     },
+    get isUpright() {
+      return view.projection.peek() === "front";
+    },
     get areGroupsShown() {
       return view.layers.peek().groups;
     },
@@ -77,11 +80,14 @@ export function createEditor(parts: ToolParts, settings: Pick<Toolbox, "shape" |
       const selection = document.selection.peek();
       const hasBox = selection.kind === "agents" || selection.kind === "group";
       const bounds = hasBox ? selectionBounds(parts.shownXy(), selectedAgents(document.scene.peek(), selection)) : null;
-      if (!bounds || (bounds.minX === bounds.maxX && bounds.minY === bounds.maxY)) return null;
+      if (!bounds) return null;
       const camera = view.camera.peek();
+      const box = selectionBox(bounds, camera, radius());
+      const isSpatial = mainTrack(document.scene.peek()).keyframes.some(({ positions }) => positions.heights);
+      const handles = handlesOf(box, liftsOf(view.projection.peek(), isSpatial));
       // A fingertip reaches from a handle to the agents beside it: on a disc it means the agent.
       const isOnDisc = agentAt(parts.shownXy(), camera, screen, radius()) !== null;
-      return isOnDisc ? null : handleAt(selectionBox(bounds, camera, radius()), screen, handleReach(pointer));
+      return isOnDisc ? null : handleAt(box, handles, screen, handleReach(pointer));
     },
     agentsWithin: (from, to) => agentsWithin(parts.shownXy(), from, to),
     inWords: (meters) => lengthWithUnit(meters, document.scene.peek().stage.units),

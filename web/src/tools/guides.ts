@@ -52,15 +52,29 @@ type Axis = 0 | 1;
 
 /** The move along one axis that brings an edge or the middle onto the nearest neighbor; null when none is near. */
 function alignment(box: Box, near: readonly Point[], by: Point, axis: Axis, reach: number): number | null {
+  return nearestMove(
+    anchors(box, axis),
+    near.map((other) => other[axis]),
+    by[axis],
+    reach,
+  );
+}
+
+/** The move that brings one of `anchors` onto one of `targets` and is within `reach` of `by`, nearest first; else null. */
+export function nearestMove(
+  anchors: readonly number[],
+  targets: readonly number[],
+  by: number,
+  reach: number,
+): number | null {
   let best: number | null = null;
   let least = reach;
-  for (const anchor of anchors(box, axis)) {
-    for (const other of near) {
-      const wanted = other[axis] - anchor;
-      const off = Math.abs(wanted - by[axis]);
+  for (const anchor of anchors) {
+    for (const target of targets) {
+      const off = Math.abs(target - anchor - by);
       if (off < least) {
         least = off;
-        best = wanted;
+        best = target - anchor;
       }
     }
   }

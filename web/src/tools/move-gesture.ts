@@ -4,7 +4,7 @@ import type { Point } from "../document/formation";
 import { mainTrack } from "../document/scene";
 import { type Snap, snapOf, snapPoint } from "../document/snap";
 import type { Command } from "../document/store";
-import { type Guide, guideMove } from "./guides";
+import { type Guide, guideMove, nearestMove } from "./guides";
 import { type Editor, metersOf, type Pointing } from "./tool";
 
 /** Agents on their way with the pointer, and what they may be held in line with. */
@@ -45,6 +45,8 @@ export function moveTo(
   }
   const guided = guideMove(box, others, by, metersOf(REACH, editor));
   const free = snapPoint(by, snap);
-  const to: Point = [guided.isHeld[0] ? guided.by[0] : free[0], guided.isHeld[1] ? guided.by[1] : free[1]];
+  // From the front, feet find the ground.
+  const landed = editor.isUpright ? nearestMove([box.min[1]], [0], by[1], metersOf(REACH, editor)) : null;
+  const to: Point = [guided.isHeld[0] ? guided.by[0] : free[0], guided.isHeld[1] ? guided.by[1] : (landed ?? free[1])];
   return { command: moveAgents(keyframe, agents, to), guides: guided.guides };
 }

@@ -1,7 +1,7 @@
+import { boxOf } from "../document/box";
 import type { Point } from "../document/formation";
-import { obstacleLabel } from "../document/obstacle";
 import { picked, pickedInside } from "../document/pick";
-import { agentLabel, selectedAgents } from "../document/queries";
+import { selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import type { Selection } from "../document/selection";
 import { toggled } from "../document/sets";
@@ -10,20 +10,14 @@ import type { ScreenPoint } from "../stage/camera";
 import { type Handle, handleCursor, selectionBounds } from "../stage/handles";
 import { type BoxGesture, boxCommand } from "./box-gesture";
 import type { Guide } from "./guides";
+import { beginLift, heightSpan, type LiftGesture, liftTo, spanInWords } from "./lift-gesture";
+import { announceSelected, beginMarquee, endMarquee, type Marquee, stretchMarquee } from "./marquee";
 import { beginMove, type MoveGesture, moveTo } from "./move-gesture";
-import {
-  agentSelection,
-  type Editor,
-  isDrag,
-  metersOf,
-  NO_OVERLAY,
-  type Pointing,
-  type Press,
-  type Tool,
-} from "./tool";
+import { agentSelection, type Editor, isDrag, NO_OVERLAY, type Pointing, type Press, type Tool } from "./tool";
 
 type SelectState =
-  | { readonly kind: "idle"; readonly over: "stage" | "agent" | Handle }
+  /** `height` is said of the handle to lift, as it is under the pointer. */
+  | { readonly kind: "idle"; readonly over: "stage" | "agent" | Handle; readonly height: string | null }
   /** Pressed on an agent: a click or the start of a move. `onClick` is selected when it stays a click. */
   | {
       readonly kind: "pointing";
@@ -36,23 +30,22 @@ type SelectState =
       readonly gesture: Gesture;
       readonly move: MoveGesture;
       readonly guides: readonly { readonly from: Point; readonly to: Point; readonly gap: string | null }[];
+      /** Seen from the front, where up is height. */
+      readonly height: { readonly at: Point; readonly words: string } | null;
     }
   | { readonly kind: "boxing"; readonly gesture: Gesture; readonly box: BoxGesture }
   | {
-      readonly kind: "brushing";
-      readonly origin: Point;
-      readonly current: Point;
-      readonly before: Selection;
-      readonly held: ReadonlySet<number>;
-      readonly way: "replace" | "add" | "toggle";
-    };
+      readonly kind: "lifting";
+      readonly gesture: Gesture;
+      readonly lift: LiftGesture;
+      readonly by: number;
+      readonly height: string;
+    }
+  | Marquee;
 
-/** Pixels a marquee may have and still be a click. */
-const CLICK = 4;
+const IDLE: SelectState = { kind: "idle", over: "stage", height: null };
 
-const IDLE: SelectState = { kind: "idle", over: "stage" };
-
-/** Click, marquee, move, turn and scale. */
+/** Click, marquee, move, turn, scale and lift. */
 export const selectTool: Tool<SelectState> = {
   start: IDLE,
   step(state, event, editor) {
@@ -65,10 +58,7 @@ export const selectTool: Tool<SelectState> = {
       case "release": {
         const last = drag(state, event, editor);
         if (last.kind === "pointing" && last.onClick) editor.document.selection.value = last.onClick;
-        if (last.kind === "brushing") {
-          pickObstacle(last.origin, event, editor);
-          announceSelected(editor);
-        }
+        if (last.kind === "brushing") endMarquee(last, event, editor);
         closeGesture(last, "commit");
         return hover(event, editor);
       }
@@ -80,11 +70,16 @@ export const selectTool: Tool<SelectState> = {
   },
   overlay(state) {
     if (state.kind === "brushing") return { kind: "marquee", from: state.origin, to: state.current };
-    if (state.kind === "moving" && state.guides.length > 0) return { kind: "guides", lines: state.guides };
+    if (state.kind === "moving" && (state.guides.length > 0 || state.height)) {
+      return { kind: "guides", lines: state.guides, height: state.height };
+    }
+    if (state.kind === "lifting") return { kind: "lift", by: state.by, words: state.height };
+    if (state.kind === "idle" && state.height !== null) return { kind: "lift", by: 0, words: state.height };
     return NO_OVERLAY;
   },
   cursor(state) {
     if (state.kind === "moving" || state.kind === "pointing") return "move";
+    if (state.kind === "lifting") return handleCursor("lift");
     const handle = state.kind === "boxing" ? state.box.handle : state.kind === "idle" ? state.over : "stage";
     if (handle === "agent") return "move";
     return handle === "stage" ? "default" : handleCursor(handle);
@@ -96,13 +91,18 @@ function press(event: Press, editor: Editor): SelectState {
   const scene = document.scene.peek();
   const selected = selectedAgents(scene, document.selection.peek());
   const handle = editor.handleAt(event);
+  const lift = handle === "lift" ? beginLift(editor, event.at, selected) : null;
+  if (lift) {
+    const height = spanInWords(lift.span, editor);
+    return { kind: "lifting", gesture: document.beginGesture(), lift, by: 0, height };
+  }
   const bounds = selectionBounds(mainTrack(scene).keyframes[editor.keyframe]?.positions.xy ?? [], selected);
-  if (handle && bounds) {
+  if (handle && handle !== "lift" && bounds) {
     const box = { handle, origin: event.at, bounds, keyframe: editor.keyframe, agents: selected };
     return { kind: "boxing", gesture: document.beginGesture(), box };
   }
   const agent = editor.agentAt(event);
-  if (agent === null) return beginBrush(event, editor);
+  if (agent === null) return beginMarquee(event, editor);
   const pointing = { kind: "pointing", origin: event.at, screen: event.screen, onClick: null } as const;
   const current = document.selection.peek();
   const unit = unitAt(agent, event, editor);
@@ -144,65 +144,45 @@ function drag(state: SelectState, event: Pointing, editor: Editor): SelectState 
       const { scene, selection } = editor.document;
       const move = beginMove(editor, state.origin, selectedAgents(scene.peek(), selection.peek()));
       if (!move) return IDLE;
-      return drag({ kind: "moving", gesture: editor.document.beginGesture(), move, guides: [] }, event, editor);
+      const gesture = editor.document.beginGesture();
+      return drag({ kind: "moving", gesture, move, guides: [], height: null }, event, editor);
     }
     case "moving": {
       const { command, guides } = moveTo(state.move, event, editor);
       state.gesture.preview(command);
-      return { ...state, guides: guides.map((guide) => inWords(guide, editor)) };
+      const height = editor.isUpright ? uprightHeight(state.move, event, editor) : null;
+      return { ...state, guides: guides.map((guide) => inWords(guide, editor)), height };
     }
     case "boxing":
       state.gesture.preview(boxCommand(state.box, event));
       return state;
+    case "lifting": {
+      const { command, by } = liftTo(state.lift, event, editor);
+      state.gesture.preview(command);
+      const { lowest, highest } = state.lift.span;
+      return { ...state, by, height: spanInWords({ lowest: lowest + by, highest: highest + by }, editor) };
+    }
     case "brushing":
-      return brush(state, event, editor);
+      return stretchMarquee(state, event, editor);
   }
-}
-
-function beginBrush(event: Press, editor: Editor): SelectState {
-  const { document } = editor;
-  const before = document.selection.peek();
-  const way = event.ctrl ? "toggle" : event.shift ? "add" : "replace";
-  const held = way === "replace" ? new Set<number>() : selectedAgents(document.scene.peek(), before);
-  return brush({ kind: "brushing", origin: event.at, current: event.at, before, held, way }, event, editor);
-}
-
-function brush(state: Extract<SelectState, { kind: "brushing" }>, event: Pointing, editor: Editor): SelectState {
-  const inside = new Set(editor.agentsWithin(state.origin, event.at));
-  const agents = state.way === "toggle" ? toggled(state.held, inside) : new Set([...state.held, ...inside]);
-  editor.document.selection.value = agentSelection(agents);
-  return { ...state, current: event.at };
-}
-
-/** A click beside all agents may mean what stands there. */
-function pickObstacle(origin: Point, event: Pointing, editor: Editor): void {
-  const { document } = editor;
-  const isClick = Math.hypot(event.at[0] - origin[0], event.at[1] - origin[1]) <= metersOf(CLICK, editor);
-  if (!isClick || event.shift || event.ctrl || document.selection.peek().kind !== "none") return;
-  const index = editor.obstacleAt(event);
-  if (index !== null) document.selection.value = { kind: "obstacle", index };
 }
 
 function hover(event: Pointing, editor: Editor): SelectState {
   const over = editor.handleAt(event) ?? (editor.agentAt(event) === null ? "stage" : "agent");
-  return { kind: "idle", over };
+  const { scene, selection } = editor.document;
+  const span = over === "lift" ? heightSpan(editor, selectedAgents(scene.peek(), selection.peek())) : null;
+  return { kind: "idle", over, height: span && spanInWords(span, editor) };
 }
 
 function closeGesture(state: SelectState, how: "commit" | "cancel"): void {
-  if (state.kind === "moving" || state.kind === "boxing") state.gesture[how]();
+  if (state.kind === "moving" || state.kind === "boxing" || state.kind === "lifting") state.gesture[how]();
 }
 
-function announceSelected(editor: Editor): void {
-  const scene = editor.document.scene.peek();
-  const selection = editor.document.selection.peek();
-  if (selection.kind === "obstacle") {
-    editor.announce(`${obstacleLabel(scene, selection.index)} selected`);
-    return;
-  }
-  const [first, ...rest] = selectedAgents(scene, selection);
-  if (first === undefined) editor.announce("Nothing selected");
-  else
-    editor.announce(rest.length === 0 ? `${agentLabel(scene, first)} selected` : `${rest.length + 1} agents selected`);
+/** How high the moved agents are, beside the pointer. */
+function uprightHeight({ keyframe, agents }: MoveGesture, { at }: Pointing, editor: Editor) {
+  const positions = mainTrack(editor.document.scene.peek()).keyframes[keyframe]?.positions;
+  const box = positions && boxOf(positions, agents);
+  return box ? { at, words: spanInWords({ lowest: box.min[1], highest: box.max[1] }, editor) } : null;
 }
 
 function inWords({ from, to, gap }: Guide, editor: Editor) {

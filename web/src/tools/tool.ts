@@ -40,6 +40,8 @@ export interface Editor {
   readonly shape: ShapeName;
   readonly spacing: Spacing;
   readonly tieScope: "scene" | "keyframe";
+  /** Whether up on the screen is height: the show is seen from the front. */
+  readonly isUpright: boolean;
   /** Whether groups are seen, and so taken as one. */
   readonly areGroupsShown: boolean;
   agentAt(pointing: Pointing): number | null;

@@ -25,7 +25,11 @@ export type Overlay =
   | {
       readonly kind: "guides";
       readonly lines: readonly { readonly from: Point; readonly to: Point; readonly gap: string | null }[];
-    };
+      /** How high what is moved is, where up is height. */
+      readonly height: { readonly at: Point; readonly words: string } | null;
+    }
+  /** The handle to lift, under the pointer or pulled up by so many meters, and how high the agents are. */
+  | { readonly kind: "lift"; readonly by: number; readonly words: string };
 
 /** The tool in hand and its settings. */
 export interface Toolbox {

@@ -2,13 +2,18 @@ import type { Overlay } from "../../tools/toolbox";
 import type { Frame } from "../frame";
 import { crisp } from "./crisp";
 import { traceShape } from "./obstacles";
-import { drawPill } from "./pill";
+import { drawReadout } from "./readout";
 import { drawPlaces, drawStroke } from "./stroke";
+
+/** How far a readout stands above the pointer, CSS pixels. */
+const ABOVE_POINTER = 30;
 
 /** What the tool at work shows. */
 export function drawOverlay(context: CanvasRenderingContext2D, frame: Frame, overlay: Overlay): void {
   switch (overlay.kind) {
     case "none":
+    // With the box whose handle it is.
+    case "lift":
       break;
     case "marquee":
       drawMarquee(context, frame, overlay);
@@ -107,15 +112,10 @@ function drawGuides(context: CanvasRenderingContext2D, frame: Frame, overlay: Ov
     context.moveTo(fromX === toX ? crisp(fromX) : fromX, fromY === toY ? crisp(fromY) : fromY);
     context.lineTo(fromX === toX ? crisp(toX) : toX, fromY === toY ? crisp(toY) : toY);
     context.stroke();
-    if (gap === null) continue;
-    drawPill(context, palette, gap, {
-      x: (fromX + toX) / 2,
-      y: (fromY + toY) / 2,
-      align: "center",
-      height: 18,
-      fill: palette.you,
-      ink: palette.onYou,
-      edge: null,
-    });
+    if (gap !== null) drawReadout(context, frame, gap, (fromX + toX) / 2, (fromY + toY) / 2);
+  }
+  if (overlay.height) {
+    const { at, words } = overlay.height;
+    drawReadout(context, frame, words, frame.screenX(at[0]), frame.screenY(at[1]) - ABOVE_POINTER);
   }
 }

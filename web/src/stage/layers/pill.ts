@@ -17,8 +17,7 @@ const PADDING = 7;
 
 /** Words of 11 px on a rounded ground. Answers the pill's width in CSS pixels. */
 export function drawPill(context: CanvasRenderingContext2D, palette: Palette, text: string, style: PillStyle): number {
-  context.font = font(palette, 11);
-  const width = context.measureText(text).width + 2 * PADDING;
+  const width = pillWidth(context, palette, text);
   const left = style.align === "left" ? style.x : style.x - width / 2;
   context.fillStyle = style.fill;
   context.beginPath();
@@ -34,4 +33,10 @@ export function drawPill(context: CanvasRenderingContext2D, palette: Palette, te
   context.textBaseline = "middle";
   context.fillText(text, left + PADDING, style.y + 0.5);
   return width;
+}
+
+/** Of a pill with these words, CSS pixels. Leaves the context with its font. */
+export function pillWidth(context: CanvasRenderingContext2D, palette: Palette, text: string): number {
+  context.font = font(palette, 11);
+  return context.measureText(text).width + 2 * PADDING;
 }
