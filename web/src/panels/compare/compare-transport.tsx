@@ -1,43 +1,27 @@
-import { Pause, Play } from "lucide";
 import { formatTime } from "../../document/units";
 import type { Playback } from "../../playback/playback";
-import { Icon } from "../../theme/icons";
-import type { Quantity } from "../controls/quantity";
-import { Slider } from "../controls/slider";
+import { PlayBar } from "../controls/play-bar";
 
-/** Plays both sides, and walks through them. */
+/** Plays all ways in step, and walks through them. */
 export function CompareTransport({ playback }: { playback: Playback }) {
   const { from, to } = playback.range.value ?? { from: 0, to: playback.duration.value };
-  const isPlaying = playback.isPlaying.value;
-  const quantity: Quantity = {
-    min: 0,
-    max: to - from,
-    step: 0.1,
-    scale: "linear",
-    unit: "",
-    format: formatTime,
-    parse: () => null,
-  };
+  const time = playback.time.value - from;
   return (
     <div class="compare-transport">
-      <button
-        type="button"
-        class="icon-button compare-play"
-        aria-label={isPlaying ? "Pause" : "Play"}
-        autofocus
-        onClick={() => playback.toggle()}
-      >
-        <Icon node={isPlaying ? Pause : Play} />
-      </button>
-      <Slider
+      <PlayBar
+        play="Play"
+        pause="Pause"
         label="Time"
-        value={playback.time.value - from}
-        quantity={quantity}
-        onPreview={(time) => playback.seek(from + time)}
-        onCommit={() => {}}
-        onCancel={() => {}}
+        isPlaying={playback.isPlaying.value}
+        value={time}
+        max={to - from}
+        step={0.1}
+        format={formatTime}
+        clock={formatTime(time)}
+        isFirst
+        onToggle={() => playback.toggle()}
+        onSeek={(seconds) => playback.seek(from + seconds)}
       />
-      <span class="number">{formatTime(playback.time.value - from)}</span>
     </div>
   );
 }

@@ -20,32 +20,41 @@ const RIGHT: SegmentReport = {
   pathLength: { mean: 6, max: 8 },
 };
 
-function betterOf(label: string, rows = measureRows(LEFT, RIGHT, "m")) {
-  return rows.find((row) => row.label === label)?.better;
+function bestOf(label: string, rows = measureRows([LEFT, RIGHT], "m")) {
+  return rows.find((row) => row.label === label)?.best;
 }
 
 test("more clearance is better, less of all else", () => {
-  expect(betterOf("Clearance")).toBe("right");
-  expect(betterOf("Distortion")).toBe("right");
-  expect(betterOf("Path length")).toBe("left");
+  expect(bestOf("Clearance")).toBe(1);
+  expect(bestOf("Distortion")).toBe(1);
+  expect(bestOf("Path length")).toBe(0);
 });
 
 test("what reads the same is no better", () => {
-  expect(betterOf("Near collisions")).toBe("neither");
+  expect(bestOf("Near collisions")).toBeNull();
   const close = { ...RIGHT, distortion: { mean: 0.4004, max: 0.9 } };
-  expect(betterOf("Distortion", measureRows(LEFT, close, "m"))).toBe("neither");
+  expect(bestOf("Distortion", measureRows([LEFT, close], "m"))).toBeNull();
 });
 
 test("one agent alone has no clearance, and while one side is planned nothing is judged", () => {
   const alone = { ...LEFT, clearance: null };
-  expect(measureRows(alone, alone, "m")[0]).toEqual({ label: "Clearance", left: null, right: null, better: "neither" });
-  expect(measureRows(LEFT, null, "m").every((row) => row.better === "neither" && row.right === null)).toBe(true);
+  expect(measureRows([alone, alone], "m")[0]).toEqual({ label: "Clearance", values: [null, null], best: null });
+  expect(measureRows([LEFT, null], "m").every(({ values, best }) => best === null && values[1] === null)).toBe(true);
 });
 
-test("what avoidance did is told where a side avoids, and left out where none does", () => {
-  expect(measureRows(LEFT, RIGHT, "m").some(({ label }) => label === "Unsolved")).toBe(false);
-  const avoiding = { ...RIGHT, deviation: { mean: 0.1, max: 0.2 }, unsolved: [] };
-  const rows = measureRows(LEFT, avoiding, "m");
-  expect(rows.find(({ label }) => label === "Moved to avoid")).toMatchObject({ left: null, right: "0.20 m" });
-  expect(rows.find(({ label }) => label === "Unsolved")?.right).toBe("0");
+test("what avoidance did is told where a way avoids, and left out where none does", () => {
+  expect(measureRows([LEFT, RIGHT], "m").some(({ label }) => label === "Unsolved")).toBe(false);
+  const avoiding = { ...RIGHT, deviation: { mean: 0.1, max: 0.2 }, unsolved: [], guideClearance: LEFT.clearance };
+  const rows = measureRows([LEFT, avoiding], "m");
+  const told = (label: string) => rows.find((row) => row.label === label)?.values;
+  expect(told("before avoiding")).toEqual([null, "0.10 m"]);
+  expect(told("Moved to avoid")).toEqual([null, "0.20 m"]);
+  expect(told("Unsolved")).toEqual([null, "0"]);
+});
+
+test("of several ways the one that is better than all others is marked", () => {
+  const rows = measureRows([LEFT, RIGHT, LEFT, RIGHT], "m");
+  expect(bestOf("Distortion", rows)).toBeNull();
+  const third = { ...LEFT, distortion: { mean: 0.1, max: 0.9 } };
+  expect(bestOf("Distortion", measureRows([LEFT, RIGHT, third], "m"))).toBe(2);
 });

@@ -2,22 +2,19 @@ import type { Units } from "../../document/scene";
 import { formatAngle, formatCount, formatLength, formatNumber } from "../../document/units";
 import type { SegmentReport } from "../../engine/api";
 
-/** Which side a measure speaks for. */
-export type Better = "left" | "right" | "neither";
-
-/** A measure of both sides, as it is read. */
+/** A measure of every way, as it is read. */
 export interface MeasureRow {
   readonly label: string;
-  /** Null while it is not known, or where there is none. */
-  readonly left: string | null;
-  readonly right: string | null;
-  readonly better: Better;
+  /** By way; null while it is not known, or where there is none. */
+  readonly values: readonly (string | null)[];
+  /** The way that reads better than all others; null where none does or not all are known. */
+  readonly best: number | null;
 }
 
 interface Measure {
   readonly label: string;
   readonly isMoreBetter?: boolean;
-  /** Left out where neither side has it. */
+  /** Left out where no way has it. */
   readonly isOptional?: boolean;
   value(report: SegmentReport): number | null;
   format(value: number): string;
@@ -27,6 +24,13 @@ function measures(units: Units): readonly Measure[] {
   const meters = (value: number) => `${formatLength(value, units)} ${units}`;
   return [
     { label: "Clearance", isMoreBetter: true, value: (report) => report.clearance?.distance ?? null, format: meters },
+    {
+      label: "before avoiding",
+      isMoreBetter: true,
+      isOptional: true,
+      value: (report) => report.guideClearance?.distance ?? null,
+      format: meters,
+    },
     { label: "Near collisions", value: (report) => report.nearCollisions, format: formatCount },
     { label: "Distortion", value: (report) => report.distortion.mean, format: formatNumber },
     { label: "at most", value: (report) => report.distortion.max, format: formatNumber },
@@ -39,19 +43,26 @@ function measures(units: Units): readonly Measure[] {
   ];
 }
 
-/** Both columns of measures; of two values that read differently the better one is marked. */
-export function measureRows(left: SegmentReport | null, right: SegmentReport | null, units: Units): MeasureRow[] {
+/** The measures of all ways. */
+export function measureRows(reports: readonly (SegmentReport | null)[], units: Units): MeasureRow[] {
   const told = measures(units).filter(
-    ({ isOptional, value }) => !isOptional || [left, right].some((report) => report && value(report) !== null),
+    ({ isOptional, value }) => !isOptional || reports.some((report) => report && value(report) !== null),
   );
   return told.map(({ label, isMoreBetter = false, value, format }) => {
-    const [a, b] = [left && value(left), right && value(right)];
-    const [read, other] = [a === null ? null : format(a), b === null ? null : format(b)];
-    return { label, left: read, right: other, better: betterOf(a, b, read === other, isMoreBetter) };
+    const numbers = reports.map((report) => report && value(report));
+    const values = numbers.map((number) => (number === null ? null : format(number)));
+    return { label, values, best: bestOf(numbers, values, isMoreBetter) };
   });
 }
 
-function betterOf(a: number | null, b: number | null, isSame: boolean, isMoreBetter: boolean): Better {
-  if (a === null || b === null || isSame) return "neither";
-  return a > b === isMoreBetter ? "left" : "right";
+/** Numbers that read the same are equally good. */
+function bestOf(
+  numbers: readonly (number | null)[],
+  values: readonly (string | null)[],
+  isMoreBetter: boolean,
+): number | null {
+  const known = numbers.filter((number) => number !== null);
+  if (known.length < numbers.length) return null;
+  const best = known.indexOf(isMoreBetter ? Math.max(...known) : Math.min(...known));
+  return values.filter((value) => value === values[best]).length === 1 ? best : null;
 }

@@ -1,23 +1,30 @@
 import type { MeasureRow } from "./measure-rows";
 
-/** Both columns of numbers; the better one has the weight. */
-export function MeasureTable({ rows }: { rows: readonly MeasureRow[] }) {
+/** Parts of the measure above them. */
+const PARTS: ReadonlySet<string> = new Set(["at most", "before avoiding"]);
+
+/** A column of numbers a way; the better one has the weight. */
+export function MeasureTable({ names, rows }: { names: readonly string[]; rows: readonly MeasureRow[] }) {
   return (
     <table class="compare-table number">
-      <caption class="unseen">Measures of both ways</caption>
+      <caption class="unseen">Measures of {names.length > 2 ? "all" : "both"} ways</caption>
       <thead>
         <tr>
           <th scope="col">Measure</th>
-          <th scope="col">Left</th>
-          <th scope="col">Right</th>
+          {names.map((name) => (
+            <th key={name} scope="col">
+              {name}
+            </th>
+          ))}
         </tr>
       </thead>
       <tbody>
         {rows.map((row, index) => (
-          <tr key={index} class={row.label === "at most" ? "compare-most" : undefined}>
+          <tr key={index} class={PARTS.has(row.label) ? "compare-part" : undefined}>
             <th scope="row">{row.label}</th>
-            <Value text={row.left} isBetter={row.better === "left"} />
-            <Value text={row.right} isBetter={row.better === "right"} />
+            {row.values.map((text, way) => (
+              <Value key={way} text={text} isBetter={row.best === way} />
+            ))}
           </tr>
         ))}
       </tbody>

@@ -1,39 +1,64 @@
 import type { TransitionOptions } from "../../document/commands/transitions";
+import type { Scene } from "../../document/scene";
+import { tieChoices } from "./side-ties";
+import { changed, type Side, type SideChange } from "./sides";
 
-/** Two ways worth seeing beside each other. */
+/** Ways worth seeing beside each other. */
 export interface Preset {
   readonly id: string;
   readonly label: string;
-  readonly sides: readonly [left: TransitionOptions, right: TransitionOptions];
+  readonly ways: readonly SideChange[];
 }
 
+const LINEAR: TransitionOptions = { method: "linear" };
+const POLAR: TransitionOptions = { method: "polar", alignment: "pca" };
 const SPECTRAL: TransitionOptions = { method: "spectral", order: "greedy", alignment: "pca", sharing: 0 };
 
-/** The comparisons that the paper's figures make, on whatever transition is at hand. */
-export const PRESETS: readonly Preset[] = [
-  {
-    id: "figure-3",
-    label: "Straight or turning (figure 3)",
-    sides: [{ method: "linear" }, { method: "polar", alignment: "pca" }],
-  },
-  {
-    id: "figure-4",
-    label: "Without and with alignment (figure 4)",
-    sides: [{ ...SPECTRAL, alignment: "none" }, SPECTRAL],
-  },
-  {
-    id: "figure-5",
-    label: "Polar or spectral (figure 5)",
-    sides: [{ method: "polar", alignment: "pca" }, SPECTRAL],
-  },
-  {
-    id: "figure-8",
-    label: "Modes by eigenvalue or by likeness (figure 8)",
-    sides: [{ ...SPECTRAL, order: "eigenvalue" }, SPECTRAL],
-  },
-  {
-    id: "figure-9",
-    label: "Straight or spectral (figure 9)",
-    sides: [{ method: "linear" }, SPECTRAL],
-  },
-];
+const AVOIDING = [false, true] as const;
+
+/** The comparisons that the paper's figures make, on whatever transition is at hand; without those that `scene` has no ties for. */
+export function presetsFor(scene: Scene): readonly Preset[] {
+  return [
+    preset("figure-3", "Straight or turning (figure 3)", LINEAR, POLAR),
+    preset("figure-4", "Without and with alignment (figure 4)", { ...SPECTRAL, alignment: "none" }, SPECTRAL),
+    preset("figure-5", "Polar or spectral (figure 5)", POLAR, SPECTRAL),
+    ...firmer(scene),
+    preset("figure-8", "Modes by eigenvalue or by likeness (figure 8)", { ...SPECTRAL, order: "eigenvalue" }, SPECTRAL),
+    preset("figure-9-above", "Straight or spectral (figure 9)", ...without(LINEAR, SPECTRAL)),
+    {
+      id: "figure-9",
+      label: "Before and after avoidance (figure 9)",
+      ways: AVOIDING.flatMap((avoidance) => [LINEAR, SPECTRAL].map((way) => ({ options: { ...way, avoidance } }))),
+    },
+    {
+      id: "avoidance",
+      label: "One way, before and after avoidance",
+      ways: AVOIDING.map((avoidance) => ({ options: { avoidance } })),
+    },
+  ];
+}
+
+/** The ways of a preset for the transitions at hand, in turn. */
+export function sidesOf({ ways }: Preset, hand: readonly Side[]): readonly Side[] {
+  return ways.flatMap((way, index) => {
+    const side = hand[index % hand.length];
+    return side ? [changed({ ...side, ties: "own" }, way)] : [];
+  });
+}
+
+/** Ties as they are proposed, beside those a person made firmer; where nobody did, beside groups tied ten times as firmly. */
+function firmer(scene: Scene): readonly Preset[] {
+  const choices = tieChoices(scene);
+  const firm = choices.includes("proposed") ? "own" : choices.includes("grouped") ? "grouped" : null;
+  if (firm === null) return [];
+  const ways = (["proposed", firm] as const).map((ties) => ({ options: SPECTRAL, ties }));
+  return [{ id: "figure-6", label: "Ties as proposed, or firmer (figure 6)", ways }];
+}
+
+function preset(id: string, label: string, ...ways: readonly TransitionOptions[]): Preset {
+  return { id, label, ways: ways.map((options) => ({ options })) };
+}
+
+function without(...ways: readonly TransitionOptions[]): TransitionOptions[] {
+  return ways.map((way) => ({ ...way, avoidance: false }));
+}

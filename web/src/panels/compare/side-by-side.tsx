@@ -1,89 +1,113 @@
-import { computed, effect, type ReadonlySignal } from "@preact/signals";
+import { computed, effect, signal } from "@preact/signals";
 import { useEffect, useMemo, useState } from "preact/hooks";
-import { setTransition, type TransitionOptions } from "../../document/commands/transitions";
-import type { Scene } from "../../document/scene";
+import type { SegmentReport } from "../../engine/api";
 import { createPlayback, type Playback } from "../../playback/playback";
 import { fitting, type Padding } from "../../stage/camera";
 import { createView } from "../../stage/create-view";
 import { contentOf } from "../../stage/sheet";
 import type { View } from "../../stage/view";
 import { Select } from "../controls/select";
+import { Switch } from "../controls/switch";
 import { useStudio } from "../studio";
 import { CompareTransport } from "./compare-transport";
 import { measureRows } from "./measure-rows";
 import { MeasureTable } from "./measure-table";
-import { PRESETS } from "./presets";
+import { presetsFor, sidesOf } from "./presets";
 import { SideColumn } from "./side-column";
-import { commonStart, optionsOf, type Side, spanOf, type Trial, trialOf, withOptions } from "./sides";
-import { type PlannedTrial, useTrial } from "./use-trial";
+import { tieChoices } from "./side-ties";
+import { changed, commonStart, type Side, type SideChange, spanOf, takeOver, trialOf } from "./sides";
 
 const OWN_CHOICE = "own";
-const CHOICES = [
-  { value: OWN_CHOICE, label: "Your own pair" },
-  ...PRESETS.map(({ id, label }) => ({ value: id, label })),
-];
 
 /** CSS pixels about what is fitted: room for discs, hulls and ways that go around. */
 const EDGES: Padding = { left: 40, right: 40, top: 40, bottom: 40 };
 
-/** Both sides with one camera, one playhead, and a table of their numbers. */
-export function Sides({ first, onDone }: { first: readonly [Side, Side]; onDone(): void }) {
-  const { document, view: main, messages } = useStudio();
+const PAIR = ["Left", "Right"];
+const SEVERAL = ["First", "Second", "Third", "Fourth"];
+
+/** All ways with one camera, one playhead, and a table of their numbers. */
+export function Sides({ first, onDone }: { first: readonly Side[]; onDone(): void }) {
+  const { document, messages } = useStudio();
   const scene = document.scene.value;
   const [sides, setSides] = useState(first);
   const [preset, setPreset] = useState(OWN_CHOICE);
-  const start = commonStart(scene, [sides[0].segment, sides[1].segment]);
+  const presets = useMemo(() => presetsFor(scene), [scene]);
+  const ties = useMemo(() => tieChoices(scene), [scene]);
+  const isPair = sides.length === PAIR.length;
+  const names = isPair ? PAIR : SEVERAL.slice(0, sides.length);
+  const reports = useMemo(() => names.map(() => signal<SegmentReport | null>(null)), [names.length]);
+  const start = commonStart(
+    scene,
+    first.map(({ segment }) => segment),
+  );
   const playback = useSharedPlayback(first, start);
-  const trials = useTrials(sides, start);
-  const left = useTrial(trials[0], playback.time);
-  const right = useTrial(trials[1], playback.time);
-  // Both stages have one size, so that one camera serves both; theme and layers are the page's.
-  const view = useMemo(() => ({ ...createView(left.scene), layers: main.layers, theme: main.theme }), [left, main]);
-  useFit(view, left.scene);
-  // One stage drives the time, the other follows.
+  const view = useSharedView(first[0], start);
+  // One stage drives the time, the others follow.
   const following = useMemo((): Playback => ({ ...playback, tick() {} }), [playback]);
+  const isAvoiding = sides.every(({ spec }) => spec.avoidance);
 
-  const columns = [
-    { name: "Left", side: sides[0], trial: trials[0], planned: left, playback },
-    { name: "Right", side: sides[1], trial: trials[1], planned: right, playback: following },
-  ] as const;
-
-  function change(index: number, options: TransitionOptions): void {
+  function change(which: (index: number) => boolean, by: SideChange): void {
     setPreset(OWN_CHOICE);
-    setSides([
-      index === 0 ? withOptions(sides[0], options) : sides[0],
-      index === 1 ? withOptions(sides[1], options) : sides[1],
-    ]);
+    setSides(sides.map((side, index) => (which(index) ? changed(side, by) : side)));
   }
 
   function choose(id: string): void {
     setPreset(id);
-    const chosen = PRESETS.find((candidate) => candidate.id === id);
-    if (chosen) setSides([withOptions(sides[0], chosen.sides[0]), withOptions(sides[1], chosen.sides[1])]);
+    const chosen = presets.find((candidate) => candidate.id === id);
+    if (chosen) setSides(sidesOf(chosen, first));
+  }
+
+  function use(side: Side, name: string): void {
+    document.perform(takeOver(side));
+    messages.announce(`The transition goes the ${name.toLowerCase()} way now.`);
+    onDone();
   }
 
   return (
-    <div class="compare">
-      {columns.map(({ name, side, trial, planned, playback: own }, index) => (
-        <SideColumn
-          key={name}
-          name={name}
-          side={side}
-          trial={trial}
-          planned={planned}
-          playback={own}
-          view={view}
-          onChange={(options) => change(index, options)}
-          onUse={() => {
-            document.perform(setTransition(side.segment, optionsOf(side)));
-            messages.announce(`The transition goes as on the ${name.toLowerCase()} now.`);
-            onDone();
-          }}
-        />
-      ))}
+    <div class={isPair ? "compare" : "compare is-many"}>
+      <div class="compare-sides" style={{ "--across": sides.length > 3 ? 2 : sides.length }}>
+        {sides.map((side, index) => {
+          const [name, report] = [names[index], reports[index]];
+          if (name === undefined || !report) return null;
+          return (
+            <SideColumn
+              key={index}
+              name={name}
+              side={side}
+              start={start}
+              ties={ties}
+              playback={index === 0 ? playback : following}
+              view={view}
+              report={report}
+              onChange={(by) => change((other) => other === index, by)}
+              onUse={() => use(side, name)}
+            />
+          );
+        })}
+      </div>
       <div class="compare-numbers">
-        <Select label="What to compare" value={preset} choices={CHOICES} onChoose={choose} />
-        <MeasureTable rows={measureRows(reportOf(left, trials[0]), reportOf(right, trials[1]), scene.stage.units)} />
+        <Select
+          label="What to compare"
+          value={preset}
+          choices={[
+            { value: OWN_CHOICE, label: "Ways of your own" },
+            ...presets.map(({ id, label }) => ({ value: id, label })),
+          ]}
+          onChoose={choose}
+        />
+        <Switch
+          label="Avoid collisions"
+          note={isPair ? "on both sides" : "in all of them"}
+          isOn={isAvoiding}
+          onToggle={(avoidance) => change(() => true, { options: { avoidance } })}
+        />
+        <MeasureTable
+          names={names}
+          rows={measureRows(
+            reports.map((report) => report.value),
+            scene.stage.units,
+          )}
+        />
         <p class="inspector-text">The better value has the weight. Less is better, except of clearance.</p>
       </div>
       <CompareTransport playback={playback} />
@@ -91,21 +115,29 @@ export function Sides({ first, onDone }: { first: readonly [Side, Side]; onDone(
   );
 }
 
-/** The formations fill both stages, which have no tools to keep clear of. */
-function useFit(view: View, scene: ReadonlySignal<Scene>): void {
+/** All stages have one size, so that one camera serves them all; theme and layers are the page's. */
+function useSharedView(side: Side | undefined, start: number): View {
+  const { document, view: main } = useStudio();
+  const [shared] = useState(() => {
+    const scene = document.scene.peek();
+    const trial = signal(side ? trialOf(scene, side, start).scene : scene);
+    return { scene: trial, view: { ...createView(trial), layers: main.layers, theme: main.theme } };
+  });
+  // The formations fill the stages, which have no tools to keep clear of.
   useEffect(
     () =>
       effect(() => {
-        const size = view.size.value;
-        const content = contentOf(scene.peek());
-        if (content && size.width > 0) view.camera.value = fitting(content, size, EDGES);
+        const size = shared.view.size.value;
+        const content = contentOf(shared.scene.peek());
+        if (content && size.width > 0) shared.view.camera.value = fitting(content, size, EDGES);
       }),
-    [view, scene],
+    [shared],
   );
+  return shared.view;
 }
 
-/** A playhead over the longer of both, in a loop; it begins to play where that is welcome. */
-function useSharedPlayback(sides: readonly [Side, Side], start: number): Playback {
+/** A playhead over the longest way, in a loop; it begins to play where that is welcome. */
+function useSharedPlayback(sides: readonly Side[], start: number): Playback {
   const { document, playback: main } = useStudio();
   const [shared] = useState(() => {
     const scene = document.scene.peek();
@@ -120,17 +152,4 @@ function useSharedPlayback(sides: readonly [Side, Side], start: number): Playbac
     return playback;
   });
   return shared;
-}
-
-/** The same trial for as long as what it is made of is. */
-function useTrials(sides: readonly [Side, Side], start: number): readonly [Trial, Trial] {
-  const scene = useStudio().document.scene.value;
-  const left = useMemo(() => trialOf(scene, sides[0], start), [scene, sides[0], start]);
-  const right = useMemo(() => trialOf(scene, sides[1], start), [scene, sides[1], start]);
-  return [left, right];
-}
-
-function reportOf({ planner }: PlannedTrial, { segment }: Trial) {
-  const planning = planner.segments.value[segment];
-  return planning?.kind === "ready" ? planning.plan.report : null;
 }

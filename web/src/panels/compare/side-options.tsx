@@ -1,52 +1,52 @@
 import type { TransitionOptions } from "../../document/commands/transitions";
-import type { Choice, Segment } from "../../document/scene";
+import type { Choice } from "../../document/scene";
 import { NumberBox } from "../controls/number-box";
 import { Select } from "../controls/select";
+import { AlignmentSelect, MethodSelect, OrderSelect } from "../inspector/option-selects";
 import { optionsShown, takenOver } from "../inspector/options-shown";
 import { SHARING } from "../inspector/quantities";
-import { ALIGNMENTS, METHODS, methodWord, ORDERS } from "../inspector/words";
+import type { TieChoice } from "./side-ties";
+import type { Side, SideChange } from "./sides";
 
-/** The method of one side and what it can be told, in a line. */
+const TIES: readonly { value: TieChoice; label: string }[] = [
+  { value: "own", label: "As tied" },
+  { value: "proposed", label: "As proposed" },
+  { value: "grouped", label: "Groups ×10" },
+];
+
+/** The method of one way and what it can be told, in a line. */
 export function SideOptions(props: {
-  spec: Segment;
+  side: Side;
   choice: Choice | null;
-  onChange(options: TransitionOptions): void;
+  /** Ties that make a difference here. */
+  ties: readonly TieChoice[];
+  onChange(change: SideChange): void;
 }) {
-  const { spec, choice, onChange } = props;
+  const { side, choice, ties, onChange } = props;
+  const { spec } = side;
   const shown = optionsShown(spec, choice);
   const isAuto = spec.method === "auto";
+  const option = { spec, choice, onChange: (options: TransitionOptions) => onChange({ options }) };
   return (
     <div class="compare-options">
-      <Select
-        label="Method"
-        value={spec.method}
-        choices={METHODS}
-        detail={isAuto && choice ? `chose ${methodWord(choice.method)}` : undefined}
-        onChoose={(method) => onChange({ method })}
-      />
-      {!isAuto && shown.hasOrder && (
-        <Select
-          label="Order"
-          value={shown.order}
-          choices={ORDERS}
-          onChoose={(order) => onChange(takenOver(spec, choice, { order }))}
-        />
-      )}
-      {!isAuto && shown.hasAlignment && (
-        <Select
-          label="Alignment"
-          value={shown.alignment}
-          choices={ALIGNMENTS}
-          onChoose={(alignment) => onChange(takenOver(spec, choice, { alignment }))}
-        />
-      )}
+      <MethodSelect {...option} />
+      {!isAuto && shown.hasOrder && <OrderSelect {...option} />}
+      {!isAuto && shown.hasAlignment && <AlignmentSelect {...option} />}
       {!isAuto && shown.hasSharing && (
         <NumberBox
           label="Sharing"
           prefix="ρ"
           value={shown.sharing}
           quantity={SHARING}
-          onCommit={(sharing) => onChange(takenOver(spec, choice, { sharing }))}
+          onCommit={(sharing) => option.onChange(takenOver(spec, choice, { sharing }))}
+        />
+      )}
+      {ties.length > 1 && (
+        <Select
+          label="Ties"
+          value={side.ties}
+          choices={TIES.filter(({ value }) => ties.includes(value))}
+          onChoose={(chosen) => onChange({ ties: chosen })}
         />
       )}
     </div>

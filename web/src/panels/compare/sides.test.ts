@@ -3,7 +3,9 @@ import { DEFAULT_SEGMENT, emptyScene, keyframeAt } from "../../document/defaults
 import { updateTrack } from "../../document/edit";
 import { Formation } from "../../document/formation";
 import { mainTrack, type Scene } from "../../document/scene";
-import { commonStart, isInUse, optionsOf, spanOf, trialOf, withOptions } from "./sides";
+import { presetsFor, sidesOf } from "./presets";
+import { tieChoices, tiedScene } from "./side-ties";
+import { changed, commonStart, isInUse, spanOf, takeOver, trialOf } from "./sides";
 import { startingSides, transitionAtHand } from "./starting-sides";
 
 /** Four keyframes of one agent: a way, back, and the same way once more. */
@@ -60,10 +62,48 @@ test("a changed option is the person's own choice, and in use once it is the sce
   if (!side) throw new Error("the transition is there");
   expect(isInUse(scene, side)).toBe(true);
   const chosen = { method: "polar", order: "greedy", alignment: "pca", sharing: 0 } as const;
-  const changed = withOptions({ ...side, spec: { ...side.spec, chosen } }, { method: "linear" });
-  expect(changed.spec.chosen).toBeNull();
-  expect(isInUse(scene, changed)).toBe(false);
-  expect(optionsOf(changed)).not.toHaveProperty("chosen");
+  const linear = changed({ ...side, spec: { ...side.spec, chosen } }, { options: { method: "linear" } });
+  expect(linear.spec.chosen).toBeNull();
+  expect(isInUse(scene, linear)).toBe(false);
+  expect(isInUse(takeOver(linear).apply(scene), linear)).toBe(true);
+});
+
+describe("the ties of a way", () => {
+  const group = { name: "", color: "", members: [0], tieWeight: null, children: [] };
+  const scene: Scene = { ...show(), groups: [{ ...group, members: [], children: [group] }] };
+  const tied: Scene = { ...scene, adjacency: { ...scene.adjacency, ties: [[0, 1, 10]] } };
+
+  test("only those that differ can be chosen", () => {
+    expect(tieChoices(show())).toEqual(["own"]);
+    expect(tieChoices(scene)).toEqual(["own", "grouped"]);
+    expect(tieChoices(tied)).toEqual(["own", "proposed", "grouped"]);
+    expect(tieChoices({ ...show(), adjacency: { ...scene.adjacency, cuts: [[0, 1]] } })).toEqual(["own", "proposed"]);
+  });
+
+  test("as proposed, nothing by hand is left; groups are tied where they are innermost", () => {
+    expect(tiedScene(tied, "proposed")).toEqual(scene);
+    const [outer] = tiedScene(tied, "grouped").groups;
+    expect([outer?.tieWeight, outer?.children[0]?.tieWeight]).toEqual([null, 10]);
+    expect(tiedScene(scene, "proposed")).toBe(scene);
+  });
+
+  test("are taken over with it", () => {
+    const [side] = startingSides(tied, [1, 1]) ?? [];
+    if (!side) throw new Error("the transition is there");
+    const grouped = changed(side, { ties: "grouped" });
+    expect(isInUse(tied, grouped)).toBe(false);
+    expect(isInUse(takeOver(grouped).apply(tied), grouped)).toBe(true);
+  });
+});
+
+test("the paper's pair of ties is offered where there are ties to tell apart, and four ways take both transitions in turn", () => {
+  expect(presetsFor(show()).some(({ id }) => id === "figure-6")).toBe(false);
+  const sides = startingSides(show(), [0, 2]) ?? [];
+  const figure9 = presetsFor(show()).find(({ id }) => id === "figure-9");
+  if (!figure9) throw new Error("figure 9 is there");
+  const four = sidesOf(figure9, sides);
+  expect(four.map(({ segment }) => segment)).toEqual([0, 2, 0, 2]);
+  expect(four.map(({ spec }) => spec.avoidance)).toEqual([false, false, true, true]);
 });
 
 test("one transition starts beside the way everybody knows, a straight one beside the eigenbases", () => {

@@ -1,13 +1,22 @@
-import type { TransitionOptions } from "../../document/commands/transitions";
+import { setTransition, type TransitionOptions } from "../../document/commands/transitions";
 import { mainTrack, type Scene, type Segment } from "../../document/scene";
+import type { Command } from "../../document/store";
+import { type TieChoice, tiedScene } from "./side-ties";
 
-/** One of two ways to be compared: a transition of the scene, and what it is tried with. */
+/** One of the ways to be compared: a transition of the scene, and what it is tried with. */
 export interface Side {
   readonly segment: number;
   readonly spec: Segment;
+  readonly ties: TieChoice;
 }
 
-/** A transition by itself, moved in time so that both sides leave at the same moment. */
+/** What changes about a side. */
+export interface SideChange {
+  readonly options?: TransitionOptions;
+  readonly ties?: TieChoice;
+}
+
+/** A transition by itself, moved in time so that all sides leave at the same moment. */
 export interface Trial {
   readonly scene: Scene;
   /** Which of the trial's transitions it is. */
@@ -25,7 +34,7 @@ export function spanOf(scene: Scene, segment: number): { readonly start: number;
   return { start, end: Math.max(start, to?.time ?? start) };
 }
 
-/** The moment that both sides leave at, scene seconds of their trials: late enough for whatever comes before. */
+/** The moment that all sides leave at, scene seconds of their trials: late enough for whatever comes before. */
 export function commonStart(scene: Scene, segments: readonly number[]): number {
   return Math.max(
     ...segments.map((segment) => spanOf(scene, segment).start - timeOf(scene, windowOf(scene, segment)[0])),
@@ -33,7 +42,8 @@ export function commonStart(scene: Scene, segments: readonly number[]): number {
 }
 
 /** What is planned for one side: its transition with its formations and as many neighbors as have a say in it. */
-export function trialOf(scene: Scene, { segment, spec }: Side, start: number): Trial {
+export function trialOf(whole: Scene, { segment, spec, ties }: Side, start: number): Trial {
+  const scene = tiedScene(whole, ties);
   const track = mainTrack(scene);
   const [first, last] = windowOf(scene, segment);
   const shift = start - spanOf(scene, segment).start;
@@ -45,12 +55,18 @@ export function trialOf(scene: Scene, { segment, spec }: Side, start: number): T
 }
 
 /** A changed option is the person's own choice: what auto took before is forgotten. */
-export function withOptions(side: Side, options: TransitionOptions): Side {
-  return { ...side, spec: { ...side.spec, ...options, chosen: null } };
+export function changed(side: Side, { options, ties = side.ties }: SideChange): Side {
+  return { ...side, ties, spec: options ? { ...side.spec, ...options, chosen: null } : side.spec };
 }
 
-/** Everything a side says of its transition, to be taken over into the scene. */
-export function optionsOf({ spec }: Side): TransitionOptions {
+/** Takes a side over into the scene, its ties too. */
+export function takeOver(side: Side): Command {
+  const { label, apply } = setTransition(side.segment, optionsOf(side));
+  return { label, apply: (scene) => apply(tiedScene(scene, side.ties)) };
+}
+
+/** Everything a side says of its transition. */
+function optionsOf({ spec }: Side): TransitionOptions {
   const { kind: _, chosen: __, ...options } = spec;
   return options;
 }
@@ -59,7 +75,9 @@ export function optionsOf({ spec }: Side): TransitionOptions {
 export function isInUse(scene: Scene, side: Side): boolean {
   const own = mainTrack(scene).segments[side.segment];
   return (
-    own !== undefined && Object.entries(optionsOf(side)).every(([key, value]) => own[key as keyof Segment] === value)
+    own !== undefined &&
+    tiedScene(scene, side.ties) === scene &&
+    Object.entries(optionsOf(side)).every(([key, value]) => own[key as keyof Segment] === value)
   );
 }
 

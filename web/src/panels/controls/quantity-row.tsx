@@ -14,6 +14,8 @@ export function QuantityRow(props: {
   value: number;
   quantity: Quantity;
   tick?: number;
+  /** What the least and the most of it are like, under the ends of the slider. */
+  ends?: readonly [least: string, most: string];
   /** The command that sets the quantity. */
   command(value: number): Command;
 }) {
@@ -36,6 +38,12 @@ export function QuantityRow(props: {
           quantity={props.quantity}
           onCommit={(value) => gesture.perform(props.command(value))}
         />
+        {props.ends && (
+          <span class="slider-ends" aria-hidden="true">
+            <span>{props.ends[0]}</span>
+            <span>{props.ends[1]}</span>
+          </span>
+        )}
       </span>
     </Row>
   );

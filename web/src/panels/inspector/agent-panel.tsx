@@ -1,16 +1,14 @@
 import { colorAgents, renameAgent } from "../../document/commands/agents";
-import { LIMITS } from "../../document/limits";
 import { agentColor, agentLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
 import { AgentDot } from "../agent-dot";
 import { ColorRow } from "../controls/color-row";
-import { Row } from "../controls/row";
-import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
 import { Head } from "./head";
 import { HeightRow } from "./height-row";
 import { MembershipRow } from "./membership-row";
+import { NameRow } from "./name-row";
 import { PositionRow } from "./position-row";
 import { Section } from "./section";
 
@@ -33,16 +31,12 @@ export function AgentPanel({ agent }: { agent: number }) {
         <span class="ellipsis">{agentLabel(scene, agent)}</span>
       </Head>
       <Section>
-        <Row label="Name">
-          <TextBox
-            key={agent}
-            label="Name"
-            value={itself.name}
-            placeholder={agentLabel(scene, agent)}
-            maxLength={LIMITS.name}
-            onCommit={(name) => document.perform(renameAgent(agent, name))}
-          />
-        </Row>
+        <NameRow
+          key={agent}
+          name={itself.name}
+          label={agentLabel(scene, agent)}
+          onCommit={(name) => document.perform(renameAgent(agent, name))}
+        />
         <MembershipRow agents={agents} />
         <PositionRow agents={agents} label="Position" />
         <HeightRow agents={agents} />

@@ -1,6 +1,5 @@
 import { colorGroup, dissolveGroup, nestGroup, renameGroup, setGroupTieWeight } from "../../document/commands/groups";
 import { groupAt, groupPaths, groupSet } from "../../document/groups";
-import { LIMITS } from "../../document/limits";
 import { groupColor, groupLabel } from "../../document/queries";
 import type { GroupPath } from "../../document/scene";
 import { formatCount } from "../../document/units";
@@ -10,10 +9,10 @@ import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
 import { Select } from "../controls/select";
 import { Switch } from "../controls/switch";
-import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
 import { GroupList } from "./group-list";
 import { Head } from "./head";
+import { NameRow } from "./name-row";
 import { ProposeGroups } from "./propose-groups";
 import { FACTOR } from "./quantities";
 import { Section } from "./section";
@@ -39,16 +38,12 @@ export function GroupPanel({ path }: { path: GroupPath }) {
         <span class="ellipsis">{groupLabel(scene, path)}</span>
       </Head>
       <Section>
-        <Row label="Name">
-          <TextBox
-            key={path.join(".")}
-            label="Name"
-            value={group.name}
-            placeholder={groupLabel(scene, path)}
-            maxLength={LIMITS.name}
-            onCommit={(name) => document.perform(renameGroup(path, name))}
-          />
-        </Row>
+        <NameRow
+          key={path.join(".")}
+          name={group.name}
+          label={groupLabel(scene, path)}
+          onCommit={(name) => document.perform(renameGroup(path, name))}
+        />
         <Switch
           label="Ties inside"
           isOn={group.tieWeight !== null}
@@ -57,6 +52,7 @@ export function GroupPanel({ path }: { path: GroupPath }) {
         {group.tieWeight !== null && (
           <QuantityRow
             label="Weight"
+            ends={["looser", "firmer"]}
             value={group.tieWeight}
             quantity={FACTOR}
             tick={1}

@@ -11,10 +11,10 @@ import { WordAction } from "../action-button";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
 import { Switch } from "../controls/switch";
-import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
 import { BreachNote } from "./breach-note";
 import { Head } from "./head";
+import { NameRow } from "./name-row";
 import { instantQuantity } from "./quantities";
 import { Section } from "./section";
 import { SpanRow } from "./span-row";
@@ -32,16 +32,12 @@ export function KeyframePanel({ index }: { index: number }) {
         <span class="ellipsis">{keyframeLabel(scene, index)}</span>
       </Head>
       <Section>
-        <Row label="Name">
-          <TextBox
-            key={index}
-            label="Name"
-            value={keyframe.name}
-            placeholder={keyframeLabel(scene, index)}
-            maxLength={LIMITS.name}
-            onCommit={(name) => document.perform(renameKeyframe(index, name))}
-          />
-        </Row>
+        <NameRow
+          key={index}
+          name={keyframe.name}
+          label={keyframeLabel(scene, index)}
+          onCommit={(name) => document.perform(renameKeyframe(index, name))}
+        />
         <Row label="At" {...(view.ruler.value === "counts" ? { note: barAndCount(scene.tempo, keyframe.time) } : {})}>
           <NumberBox
             label="Keyframe time"

@@ -2,7 +2,6 @@ import { tiesTo, tieToObstacle, untieFromObstacle } from "../../document/command
 import { deleteObstacle, renameObstacle, setObstacleShape } from "../../document/commands/obstacles";
 import { WHOLE_SCENE } from "../../document/commands/ties";
 import type { Point } from "../../document/formation";
-import { LIMITS } from "../../document/limits";
 import { middleOf, obstacleLabel, shapeMoved } from "../../document/obstacle";
 import { agentLabel } from "../../document/queries";
 import type { ObstacleShape } from "../../document/scene";
@@ -11,10 +10,11 @@ import { metersPer } from "../../document/units";
 import { NumberBox } from "../controls/number-box";
 import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
-import { TextBox } from "../controls/text-box";
 import { useStudio } from "../studio";
 import { Head } from "./head";
-import { coordinateQuantity, FACTOR, isLongUnit, sizeQuantity } from "./quantities";
+import { NameRow } from "./name-row";
+import { PlaceBoxes } from "./place-boxes";
+import { FACTOR, isLongUnit, sizeQuantity } from "./quantities";
 import { Section } from "./section";
 
 /** Something to go around: its name, where it is and how large, to the number. */
@@ -33,16 +33,12 @@ export function ObstaclePanel({ index }: { index: number }) {
         <span class="ellipsis">{obstacleLabel(scene, index)}</span>
       </Head>
       <Section>
-        <Row label="Name">
-          <TextBox
-            key={index}
-            label="Name"
-            value={obstacle.name}
-            placeholder={obstacleLabel(scene, index)}
-            maxLength={LIMITS.name}
-            onCommit={(name) => document.perform(renameObstacle(index, name))}
-          />
-        </Row>
+        <NameRow
+          key={index}
+          name={obstacle.name}
+          label={obstacleLabel(scene, index)}
+          onCommit={(name) => document.perform(renameObstacle(index, name))}
+        />
         <PlaceRow
           label={shape.kind === "circle" ? "Center" : "Middle"}
           at={[x, y]}
@@ -116,31 +112,10 @@ function untieAll(index: number): Command {
 }
 
 function PlaceRow({ label, at, onCommit }: { label: string; at: Point; onCommit(to: Point): void }) {
-  const { document } = useStudio();
-  const { units } = document.scene.value.stage;
-  const per = metersPer(units);
-  const quantity = coordinateQuantity(units);
-  const isUnitBeside = isLongUnit(units);
+  const { units } = useStudio().document.scene.value.stage;
   return (
-    <Row label={label} {...(isUnitBeside ? { note: units } : {})}>
-      <span class="pair">
-        <NumberBox
-          label={`${label}, x`}
-          prefix="x"
-          value={at[0] / per}
-          quantity={quantity}
-          isUnitBeside={isUnitBeside}
-          onCommit={(x) => onCommit([x * per, at[1]])}
-        />
-        <NumberBox
-          label={`${label}, y`}
-          prefix="y"
-          value={at[1] / per}
-          quantity={quantity}
-          isUnitBeside={isUnitBeside}
-          onCommit={(y) => onCommit([at[0], y * per])}
-        />
-      </span>
+    <Row label={label} {...(isLongUnit(units) ? { note: units } : {})}>
+      <PlaceBoxes of={label} at={at} units={units} onCommit={onCommit} />
     </Row>
   );
 }

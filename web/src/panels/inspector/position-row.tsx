@@ -3,11 +3,10 @@ import { moveAgents, setPlace } from "../../document/commands/agents";
 import type { Point } from "../../document/formation";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
-import { metersPer } from "../../document/units";
-import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
 import { useStudio } from "../studio";
-import { coordinateQuantity, isLongUnit } from "./quantities";
+import { PlaceBoxes } from "./place-boxes";
+import { isLongUnit } from "./quantities";
 
 /** Where agents stand at the keyframe being edited; the middle of their box when they are several. */
 export function PositionRow({ agents, label }: { agents: ReadonlySet<number>; label: string }) {
@@ -19,8 +18,6 @@ export function PositionRow({ agents, label }: { agents: ReadonlySet<number>; la
   if (!box) return null;
   const [x, y] = centerOf(box);
   const { units } = scene.stage;
-  const per = metersPer(units);
-  const quantity = coordinateQuantity(units);
 
   function move(to: Point): void {
     const [only] = agents;
@@ -31,28 +28,10 @@ export function PositionRow({ agents, label }: { agents: ReadonlySet<number>; la
     );
   }
 
-  const isUnitBeside = isLongUnit(units);
   const where = `at ${keyframeLabel(scene, keyframe)}`;
   return (
-    <Row label={label} note={isUnitBeside ? `${units}, ${where}` : where}>
-      <span class="pair">
-        <NumberBox
-          label="x"
-          prefix="x"
-          value={x / per}
-          quantity={quantity}
-          isUnitBeside={isUnitBeside}
-          onCommit={(value) => move([value * per, y])}
-        />
-        <NumberBox
-          label="y"
-          prefix="y"
-          value={y / per}
-          quantity={quantity}
-          isUnitBeside={isUnitBeside}
-          onCommit={(value) => move([x, value * per])}
-        />
-      </span>
+    <Row label={label} note={isLongUnit(units) ? `${units}, ${where}` : where}>
+      <PlaceBoxes at={[x, y]} units={units} onCommit={move} />
     </Row>
   );
 }

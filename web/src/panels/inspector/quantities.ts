@@ -100,8 +100,10 @@ export function countsQuantity(tempo: Tempo, bounds: { min: number; max: number 
   };
 }
 
-/** How tight a smooth join is. */
+/** How fast a smooth join runs through its keyframes: at 0 it comes to rest in each, at 1 it swings out wide. */
 export const TENSION: Quantity = SHARING;
+/** The tension of a Catmull-Rom spline. */
+export const USUAL_TENSION = 0.5;
 
 export function wholeQuantity(min: number, max: number, unit = ""): Quantity {
   return {

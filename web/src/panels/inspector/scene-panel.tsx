@@ -13,7 +13,7 @@ import { GroupList } from "./group-list";
 import { Head } from "./head";
 import { MinimumDistanceRow } from "./minimum-distance-row";
 import { ProposeGroups } from "./propose-groups";
-import { isLongUnit, sizeQuantity, TENSION, wholeQuantity } from "./quantities";
+import { isLongUnit, sizeQuantity, TENSION, USUAL_TENSION, wholeQuantity } from "./quantities";
 import { Section } from "./section";
 import { JOINS } from "./words";
 
@@ -121,7 +121,16 @@ function JoinRows() {
         <Select label="Join" value={join} choices={JOINS} onChoose={(chosen) => document.perform(setJoin(chosen))} />
       </Row>
       <p class="inspector-text row-text">{JOINS.find((word) => word.value === join)?.text}</p>
-      {join === "smooth" && <QuantityRow label="Tension" value={tension} quantity={TENSION} command={setTension} />}
+      {join === "smooth" && (
+        <QuantityRow
+          label="Tension"
+          ends={["stiff", "loose"]}
+          value={tension}
+          quantity={TENSION}
+          tick={USUAL_TENSION}
+          command={setTension}
+        />
+      )}
     </>
   );
 }

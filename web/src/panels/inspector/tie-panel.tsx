@@ -34,6 +34,7 @@ export function TiePanel({ a, b }: { a: number; b: number }) {
           <QuantityRow
             key={`${a}-${b}`}
             label="Weight"
+            ends={["looser", "firmer"]}
             value={origin.byHand}
             quantity={FACTOR}
             tick={1}

@@ -8,54 +8,41 @@ import { Switch } from "../controls/switch";
 import { useStudio } from "../studio";
 import { HierarchyRows } from "./hierarchy-rows";
 import { MinimumDistanceRow } from "./minimum-distance-row";
+import { AlignmentSelect, MethodSelect, OrderSelect } from "./option-selects";
 import { optionsShown, takenOver } from "./options-shown";
 import { SHARING } from "./quantities";
-import { ALIGNMENTS, METHODS, methodWord, ORDERS, TIMINGS } from "./words";
+import { alignmentNote, orderNote, TIMINGS, timingNote } from "./words";
 
 /** The method and what it can be told. Under auto the options read what auto took; changing one takes over from it. */
 export function TransitionOptions(props: { index: number; segment: Segment; choice: Choice | null }) {
   const { document } = useStudio();
   const { index, segment, choice } = props;
   const shown = optionsShown(segment, choice);
-  const isAuto = segment.method === "auto";
-  const by = (isUsed: boolean) => (isAuto && isUsed ? "by auto" : undefined);
+  const option = {
+    spec: segment,
+    choice,
+    onChange: (options: Parameters<typeof setTransition>[1]) => document.perform(setTransition(index, options)),
+  };
 
   return (
     <>
       <Row label="Method">
-        <Select
-          label="Method"
-          value={segment.method}
-          choices={METHODS}
-          detail={isAuto && choice ? `chose ${methodWord(choice.method)}` : undefined}
-          onChoose={(method) => document.perform(setTransition(index, { method }))}
-        />
+        <MethodSelect {...option} />
       </Row>
       {shown.hasOrder && (
-        <Row label="Order">
-          <Select
-            label="Order"
-            value={shown.order}
-            choices={ORDERS}
-            detail={by(choice?.method === "spectral")}
-            onChoose={(order) => document.perform(setTransition(index, takenOver(segment, choice, { order })))}
-          />
+        <Row label="Order" note={orderNote(shown.order)}>
+          <OrderSelect {...option} />
         </Row>
       )}
       {shown.hasAlignment && (
-        <Row label="Alignment">
-          <Select
-            label="Alignment"
-            value={shown.alignment}
-            choices={ALIGNMENTS}
-            detail={by(choice !== null && choice.method !== "linear")}
-            onChoose={(alignment) => document.perform(setTransition(index, takenOver(segment, choice, { alignment })))}
-          />
+        <Row label="Alignment" note={alignmentNote(shown.alignment)}>
+          <AlignmentSelect {...option} />
         </Row>
       )}
       {shown.hasSharing && (
         <QuantityRow
           label="Sharing"
+          ends={["turns fully", "turns least"]}
           value={shown.sharing}
           quantity={SHARING}
           command={(sharing) => setTransition(index, takenOver(segment, choice, { sharing }))}
@@ -64,22 +51,23 @@ export function TransitionOptions(props: { index: number; segment: Segment; choi
       <Switch
         label="Avoid collisions"
         isOn={segment.avoidance}
-        onToggle={(avoidance) => document.perform(setTransition(index, { avoidance }))}
+        onToggle={(avoidance) => option.onChange({ avoidance })}
       />
       <MinimumDistanceRow />
-      <Row label="Timing">
+      <Row label="Timing" note={timingNote(segment.timing)}>
         <Select
           label="Timing"
           value={segment.timing}
           choices={TIMINGS}
-          onChoose={(timing) => document.perform(setTransition(index, { timing }))}
+          onChoose={(timing) => option.onChange({ timing })}
         />
       </Row>
       {shown.hasKeepSize && (
         <Switch
           label="Keep the size"
+          note="it does not shrink on the way"
           isOn={segment.keepSize}
-          onToggle={(keepSize) => document.perform(setTransition(index, { keepSize }))}
+          onToggle={(keepSize) => option.onChange({ keepSize })}
         />
       )}
       <HierarchyRows index={index} segment={segment} choice={choice} />

@@ -13,23 +13,28 @@ export const METHODS: readonly Word<MethodName>[] = [
   { value: "linear", label: "Linear" },
 ];
 
-export const ORDERS: readonly Word<Order>[] = [
-  { value: "eigenvalue", label: "Eigenvalue" },
-  { value: "greedy", label: "Greedy" },
-  { value: "maxmin", label: "Max-min" },
-  { value: "hungarian", label: "Hungarian" },
+/** A word that needs a few more, which stand by the control. */
+type NotedWord<T extends string> = Word<T> & { readonly note: string };
+
+/** How the modes of one formation are paired with those of the next. */
+export const ORDERS: readonly NotedWord<Order>[] = [
+  { value: "eigenvalue", label: "Eigenvalue", note: "coarse to fine" },
+  { value: "greedy", label: "Greedy", note: "likest modes first" },
+  { value: "maxmin", label: "Max-min", note: "no pair unlike" },
+  { value: "hungarian", label: "Hungarian", note: "likest in all" },
 ];
 
-export const ALIGNMENTS: readonly Word<Alignment>[] = [
-  { value: "none", label: "None" },
-  { value: "pca", label: "PCA" },
-  { value: "procrustes", label: "Procrustes" },
+/** Which turn is taken out before the modes find their own. */
+export const ALIGNMENTS: readonly NotedWord<Alignment>[] = [
+  { value: "none", label: "None", note: "no common turn" },
+  { value: "pca", label: "PCA", note: "turn by main axes" },
+  { value: "procrustes", label: "Procrustes", note: "turn by best fit" },
 ];
 
-export const TIMINGS: readonly Word<Timing>[] = [
-  { value: "smooth", label: "Smooth" },
-  { value: "linear", label: "Linear" },
-  { value: "even", label: "Even" },
+export const TIMINGS: readonly NotedWord<Timing>[] = [
+  { value: "smooth", label: "Smooth", note: "soft at stops" },
+  { value: "linear", label: "Linear", note: "no easing" },
+  { value: "even", label: "Even", note: "one steady speed" },
 ];
 
 export const JOINS: readonly (Word<Join> & { readonly text: string })[] = [
@@ -56,6 +61,22 @@ export function methodWord(method: MethodName): string {
 
 export function orderWord(order: Order): string {
   return ORDERS.find((word) => word.value === order)?.label ?? order;
+}
+
+export function orderNote(order: Order): string {
+  return noteOf(ORDERS, order);
+}
+
+export function alignmentNote(alignment: Alignment): string {
+  return noteOf(ALIGNMENTS, alignment);
+}
+
+export function timingNote(timing: Timing): string {
+  return noteOf(TIMINGS, timing);
+}
+
+function noteOf<T extends string>(words: readonly NotedWord<T>[], value: T): string {
+  return words.find((word) => word.value === value)?.note ?? "";
 }
 
 export function alignmentWord(alignment: Alignment): string {
