@@ -2,6 +2,7 @@ import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import type { Scene } from "../document/scene";
 import {
   type Bounds,
+  between,
   fitting,
   keptInSight,
   type Padding,
@@ -12,7 +13,7 @@ import {
   union,
   zoomedAt,
 } from "./camera";
-import { createGlide, framesForMotion } from "./glide";
+import { type Course, createGlide, framesForMotion } from "./glide";
 import { contentOf, sheetOf } from "./sheet";
 import { clamp } from "./spacing";
 import type { Camera, Layers, Lens, Projection, View } from "./view";
@@ -41,13 +42,16 @@ const IN_SIGHT = 48;
 /** 3 % to 6,400 % of the whole stage. */
 const ZOOM_RANGE = { min: 0.03, max: 64 } as const;
 
+/** The look's slow motion, for sheets and the camera. */
+const GLIDING: Course<Camera> = { duration: 280, at: (from, to, t) => between(from, to, 1 - (1 - t) ** 3) };
+
 /** Looks at the stage of `scene`: it starts fitted and stays so through resizing until the person moves it. */
 export function createView(scene: ReadonlySignal<Scene>, projection = signal<Projection>("plan")): View {
   const sheet = computed(() => sheetOf(scene.value.stage));
   const size = signal<Size>({ width: 0, height: 0 });
   const camera = signal<Camera>(fitting(sheet.peek(), { width: 800, height: 600 }, ROOM_FOR_PANELS));
   const whole = computed(() => fitting(sheet.value, size.value, paddingFor(size.value)));
-  const glide = createGlide(camera, framesForMotion());
+  const glide = createGlide(camera, GLIDING, framesForMotion());
   let isFitted = true;
   let lastSize = size.peek();
 

@@ -1,10 +1,17 @@
 import { signal } from "@preact/signals";
 import { describe, expect, it } from "vitest";
-import { createGlide } from "./glide";
-import type { Camera } from "./view";
+import { type Course, createGlide } from "./glide";
 
-const FROM: Camera = { scale: 10, left: 0, top: 0 };
-const TO: Camera = { scale: 20, left: 100, top: 50 };
+interface Place {
+  readonly x: number;
+}
+
+const FROM: Place = { x: 10 };
+const TO: Place = { x: 20 };
+const COURSE: Course<Place> = {
+  duration: 280,
+  at: (from, to, t) => (t === 1 ? to : { x: from.x + (to.x - from.x) * t }),
+};
 
 function manual() {
   let pending: ((now: number) => void) | null = null;
@@ -31,40 +38,40 @@ function manual() {
 
 describe("glide", () => {
   it("arrives exactly and rests", () => {
-    const camera = signal(FROM);
+    const place = signal(FROM);
     const clock = manual();
-    createGlide(camera, clock.frames).to(TO);
+    createGlide(place, COURSE, clock.frames).to(TO);
     for (const now of [0, 100, 200, 300]) clock.run(now);
-    expect(camera.value).toBe(TO);
+    expect(place.value).toBe(TO);
     expect(clock.isResting).toBe(true);
   });
 
   it("is on its way in between", () => {
-    const camera = signal(FROM);
+    const place = signal(FROM);
     const clock = manual();
-    createGlide(camera, clock.frames).to(TO);
+    createGlide(place, COURSE, clock.frames).to(TO);
     clock.run(0);
     clock.run(60);
-    expect(camera.value.scale).toBeGreaterThan(10);
-    expect(camera.value.scale).toBeLessThan(20);
+    expect(place.value.x).toBeGreaterThan(10);
+    expect(place.value.x).toBeLessThan(20);
   });
 
   it("stops where it is when the person takes over", () => {
-    const camera = signal(FROM);
+    const place = signal(FROM);
     const clock = manual();
-    const glide = createGlide(camera, clock.frames);
+    const glide = createGlide(place, COURSE, clock.frames);
     glide.to(TO);
     clock.run(0);
     clock.run(60);
-    const there = camera.value;
+    const there = place.value;
     glide.stop();
     clock.run(500);
-    expect(camera.value).toBe(there);
+    expect(place.value).toBe(there);
   });
 
   it("without motion it is there at once", () => {
-    const camera = signal(FROM);
-    createGlide(camera, null).to(TO);
-    expect(camera.value).toBe(TO);
+    const place = signal(FROM);
+    createGlide(place, COURSE, null).to(TO);
+    expect(place.value).toBe(TO);
   });
 });

@@ -1,19 +1,26 @@
 import type { Signal } from "@preact/signals";
-import { between } from "./camera";
 import type { FrameSource } from "./loop";
-import type { Camera } from "./view";
 
-/** The look's slow motion, for sheets and the camera, milliseconds. */
-const DURATION = 280;
-
-/** A camera that moves by itself, until the person takes over. */
-export interface Glide {
-  to(target: Camera): void;
+/** A value that moves by itself, until the person takes over. */
+export interface Glide<Value> {
+  to(target: Value): void;
   stop(): void;
 }
 
-/** Without frames the camera is there at once. */
-export function createGlide(camera: Signal<Camera>, frames: FrameSource | null): Glide {
+/** How one value becomes another. */
+export interface Course<Value> {
+  /** Milliseconds. */
+  readonly duration: number;
+  /** Where it is at share `t` of the time, `to` itself at 1. */
+  at(from: Value, to: Value, t: number): Value;
+}
+
+/** Without frames the value is there at once. */
+export function createGlide<Value>(
+  value: Signal<Value>,
+  course: Course<Value>,
+  frames: FrameSource | null,
+): Glide<Value> {
   let handle: number | null = null;
 
   function stop(): void {
@@ -25,15 +32,15 @@ export function createGlide(camera: Signal<Camera>, frames: FrameSource | null):
     to(target) {
       stop();
       if (!frames) {
-        camera.value = target;
+        value.value = target;
         return;
       }
-      const from = camera.peek();
+      const from = value.peek();
       let start: number | null = null;
       const step = (now: number) => {
         start ??= now;
-        const t = Math.min(1, (now - start) / DURATION);
-        camera.value = between(from, target, 1 - (1 - t) ** 3);
+        const t = Math.min(1, (now - start) / course.duration);
+        value.value = course.at(from, target, t);
         handle = t < 1 ? frames.requestAnimationFrame(step) : null;
       };
       handle = frames.requestAnimationFrame(step);

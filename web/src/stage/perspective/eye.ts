@@ -1,11 +1,11 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
 import { mainTrack, type Scene } from "../../document/scene";
 import { type Bounds, grown, type ScreenPoint, union } from "../camera";
-import { framesForMotion } from "../glide";
+import { createGlide, framesForMotion } from "../glide";
 import { contentOf, sheetOf } from "../sheet";
 import { clamp } from "../spacing";
 import type { View } from "../view";
-import { createFlight } from "./flight";
+import { FLIGHT } from "./flight";
 import { areSame, nearer, type Orbit, type Reach, slid, turned } from "./orbit";
 import { Sight } from "./sight";
 import type { BodySizes } from "./sizes";
@@ -41,7 +41,7 @@ export function createEye(
 ): Eye {
   const { size } = view;
   const orbit = signal(overPlan(view.camera.peek(), size.peek()));
-  const flight = createFlight(orbit, framesForMotion());
+  const flight = createGlide(orbit, FLIGHT, framesForMotion());
   const sight = new Sight();
   let isFitted = true;
 
