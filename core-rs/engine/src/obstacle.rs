@@ -2,8 +2,14 @@
 //!
 //! Geometry only: it knows neither names nor who must keep away.
 
+mod hull;
+mod rim;
+
 use glam::DVec2;
 use serde::Serialize;
+
+pub(crate) use hull::hull;
+pub(crate) use rim::{Beside, Rim};
 
 /// The outline of an obstacle; meters, as formations.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -26,6 +32,23 @@ pub enum ObstacleShape {
     },
 }
 
+impl ObstacleShape {
+    /// Its middle: of a polygon that of the area.
+    pub fn center(&self) -> DVec2 {
+        match self {
+            Self::Circle { center, .. } => *center,
+            Self::Polygon { points } => {
+                let Some(&origin) = points.first() else { return DVec2::ZERO };
+                let moment = |edge: &[DVec2]| {
+                    let [from, to] = [edge[0] - origin, edge[1] - origin];
+                    (from + to) * from.perp_dot(to)
+                };
+                origin + points.windows(2).map(moment).sum::<DVec2>() / (6.0 * signed_area(points))
+            }
+        }
+    }
+}
+
 /// The area of a polygon, m²: positive counterclockwise, 0 for fewer than three corners.
 pub fn signed_area(corners: &[DVec2]) -> f64 {
     let Some(&origin) = corners.first() else { return 0.0 };
@@ -36,6 +59,18 @@ pub fn signed_area(corners: &[DVec2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_center_of_a_polygon_is_that_of_its_area() {
+        let center = |points: &[[f64; 2]]| ObstacleShape::Polygon { points: points.iter().copied().map(DVec2::from_array).collect() }.center();
+        assert_eq!(center(&[[1.0, 1.0], [5.0, 1.0], [5.0, 3.0], [1.0, 3.0]]), DVec2::new(3.0, 2.0));
+        // An L of three unit squares, either way round.
+        let mut corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+        for _ in 0..2 {
+            assert!(center(&corners).distance(DVec2::splat(5.0 / 6.0)) < 1e-15);
+            corners.reverse();
+        }
+    }
 
     #[test]
     fn the_area_has_the_sign_of_the_direction() {

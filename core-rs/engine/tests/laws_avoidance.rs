@@ -8,7 +8,7 @@ use proptest::prelude::*;
 const DISTANCE: f64 = 0.5;
 
 fn avoidance() -> Avoidance {
-    Avoidance { minimum_distance: DISTANCE, is_clamped: [false; 2], seed: 7, obstacles: Vec::new() }
+    Avoidance { minimum_distance: DISTANCE, is_clamped: [false; 2], seed: 7, obstacles: Vec::new(), holds: Vec::new() }
 }
 
 fn edited(avoidance: Avoidance, guide: &Motion) -> Edited {

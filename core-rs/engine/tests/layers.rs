@@ -38,7 +38,7 @@ const MAY_KNOW: [(&str, &[&str]); 15] = [
     ("scene", &["adjacency", "choice", "error", "formation", "obstacle", "text"]),
     ("spectral", &["adjacency", "assignment", "choice", "formation"]),
     ("text", &[]),
-    ("transition", &["adjacency", "choice", "formation", "grouping", "spectral"]),
+    ("transition", &["adjacency", "choice", "formation", "grouping", "obstacle", "spectral"]),
 ];
 
 fn sources(path: &Path) -> Vec<PathBuf> {

@@ -152,13 +152,6 @@ fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
         (with_field("recordings", "[@]"), "recordings", " ", "{}"),
         (with_field("agents", r#"[{}, { "maxSpeed": @ }, {}]"#), "agents[1].maxSpeed", "null", "2.5"),
         (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),
-        (
-            with_field("obstacles", r#"[{ "kind": "circle", "center": [9, 9], "radius": 1 }]"#)
-                .replace(r#""keyframes""#, r#""adjacency": { "obstacleTies": [@] }, "keyframes""#),
-            "adjacency.obstacleTies",
-            "",
-            "[0, 0, 1]",
-        ),
         (with_segment(r#""method": "@""#), "segments[0].method", "auto", "crowd"),
         (with_segment(r#""path": @"#), "segments[0].path", "null", "[[0, 0]]"),
         (with_segment(r#""assignment": @"#), "segments[0].assignment", "null", r#"{ "cost": "squared" }"#),

@@ -79,6 +79,16 @@ export interface Approach {
   readonly agents: readonly [number, number];
 }
 
+/** An agent at its nearest to an obstacle. */
+export interface ObstacleApproach {
+  /** Meters; at most 0 where the way crosses it. */
+  readonly distance: number;
+  /** Scene seconds. */
+  readonly time: number;
+  readonly agent: number;
+  readonly obstacle: number;
+}
+
 /** An agent that is too near at an end of a transition. */
 export interface KeyframeBreach {
   /** The keyframe it leaves, or the one it comes to. */
@@ -119,6 +129,8 @@ export interface SegmentReport {
   readonly breaches?: readonly KeyframeBreach[];
   /** What may help where it is not solved, the likeliest first. */
   readonly suggestions?: readonly Suggestion[];
+  /** The nearest that anybody comes to an obstacle that they are tied to; absent where nobody is. */
+  readonly heldClearance?: ObstacleApproach;
   readonly nearCollisions: number;
   readonly pathLength: Extreme;
   readonly topSpeed: { readonly speed: number; readonly time: number; readonly agent: number };

@@ -102,6 +102,22 @@ test("obstacles hold throughout the show: making one goes to no keyframe", () =>
   expect(shapes()).toHaveLength(1);
 });
 
+test("an agent is tied to an obstacle by pulling from one to the other, and to no other agent", () => {
+  bench.drag([
+    [1, 1],
+    [3, 1],
+  ]);
+  bench.toolbox.active.value = "tie";
+  bench.drag([
+    [-9, -9],
+    [-3, -3],
+    [1, 1],
+  ]);
+  expect(bench.document.scene.value.adjacency.obstacleTies).toEqual([[0, 0, 1]]);
+  expect(bench.document.selection.value).toEqual({ kind: "obstacle", index: 0 });
+  expect(bench.announced.at(-1)).toBe("1 tied to Obstacle 1");
+});
+
 test("with Select in hand a click on an obstacle picks it, and a marquee begun on it picks agents", () => {
   bench.drag([
     [1, 1],

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use eigenform::choice::{Choice, MethodName, Timing};
+use eigenform::edits::Blocked;
 use eigenform::measure::Measures;
 use eigenform::perform::{Avoided, Candidate, Performed, perform};
 use eigenform::scene::{Opened, Scene, Segment, TransitionSpec};
@@ -18,6 +19,7 @@ struct Report<'p> {
 }
 
 #[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
 struct SegmentReport<'p> {
     method: MethodName,
     options: Options,
@@ -25,6 +27,8 @@ struct SegmentReport<'p> {
     measures: &'p Measures,
     #[serde(flatten)]
     avoided: Option<&'p Avoided>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    held_clearance: Option<&'p Blocked>,
     candidates: Vec<CandidateReport>,
 }
 
@@ -74,6 +78,7 @@ fn report<'p>(transition: &TransitionSpec, performed: &'p Performed) -> SegmentR
         options: options(&performed.choice, transition),
         measures: &performed.measures,
         avoided: performed.avoided.as_ref(),
+        held_clearance: performed.held_clearance.as_ref(),
         candidates: performed.candidates.iter().map(|candidate| candidate_report(candidate, transition)).collect(),
     }
 }
@@ -114,6 +119,10 @@ fn table(report: &Report<'_>) -> String {
         .expect("a string takes any text");
     }
     for (index, segment) in report.segments.iter().enumerate() {
+        if let Some(Blocked { distance, time, agent, obstacle }) = segment.held_clearance {
+            writeln!(text, "segment {index}: agent {agent}, tied to obstacle {obstacle}, is {distance:.3} m from it at {time:.2} s, nobody nearer")
+                .expect("a string takes any text");
+        }
         for clash in segment.avoided.iter().flat_map(|avoided| &avoided.unsolved) {
             let (a, b) = clash.agents;
             writeln!(text, "segment {index}: agents {a} and {b} are {:.3} m apart at {:.2} s", clash.distance, clash.time)

@@ -121,10 +121,14 @@ fn for_each_pair_within_two<E>(count: usize, edges: &[(u32, u32)], mut visit: im
 fn divide_by_distance(formation: &Formation, ties: &mut [Tie]) {
     let places = formation.places();
     let distances: Vec<f64> = ties.iter().map(|tie| places.distance(tie.a as usize, tie.b as usize)).collect();
-    let Some(median) = median(distances.iter().copied().filter(|&distance| distance > 0.0).collect()) else { return };
-    for (tie, distance) in ties.iter_mut().zip(distances) {
-        tie.weight = tie.factor / distance.max(SHORTEST_RELATIVE_DISTANCE * median);
-    }
+    let weights = weights_by_distance(ties.iter().map(|tie| tie.factor).collect(), &distances);
+    ties.iter_mut().zip(weights).for_each(|(tie, weight)| tie.weight = weight);
+}
+
+/// Factors over distances, with the floor; without any distance above 0 the factors themselves.
+pub(super) fn weights_by_distance(factors: Vec<f64>, distances: &[f64]) -> Vec<f64> {
+    let Some(median) = median(distances.iter().copied().filter(|&distance| distance > 0.0).collect()) else { return factors };
+    factors.into_iter().zip(distances).map(|(factor, distance)| factor / distance.max(SHORTEST_RELATIVE_DISTANCE * median)).collect()
 }
 
 fn median(mut values: Vec<f64>) -> Option<f64> {

@@ -10,6 +10,7 @@ mod delaunay;
 mod facets;
 mod joining;
 mod laplacian;
+mod obstacle_ties;
 mod spec;
 mod subdivision;
 mod triangulation;
@@ -18,6 +19,7 @@ pub(crate) use components::Components;
 
 pub use build::{COMPLETE_GROUP_LIMIT, GroupTie, TIE_LIMIT, TooManyTies, build, expanded_tie_count};
 pub use delaunay::{COINCIDENCE_TOLERANCE, propose};
+pub use obstacle_ties::{ObstacleTie, obstacle_ties};
 pub use spec::{AdjacencySpec, Base, Weights};
 
 /// Two agents, lower first.
@@ -41,6 +43,7 @@ pub struct Tie {
 pub struct Adjacency {
     agent_count: usize,
     ties: Vec<Tie>,
+    obstacle_ties: Vec<ObstacleTie>,
 }
 
 impl Adjacency {
@@ -51,7 +54,13 @@ impl Adjacency {
     pub fn new(agent_count: usize, ties: Vec<Tie>) -> Self {
         assert!(ties.iter().all(|tie| tie.a < tie.b && (tie.b as usize) < agent_count), "a tie joins two agents, lower first");
         assert!(ties.is_sorted_by(|p, q| (p.a, p.b) < (q.a, q.b)), "ties ascend and occur once");
-        Self { agent_count, ties }
+        Self { agent_count, ties, obstacle_ties: Vec::new() }
+    }
+
+    /// The same graph with ties to obstacles.
+    #[must_use]
+    pub fn with_obstacle_ties(self, obstacle_ties: Vec<ObstacleTie>) -> Self {
+        Self { obstacle_ties, ..self }
     }
 
     /// How many agents it spans, tied or not.
@@ -62,5 +71,10 @@ impl Adjacency {
     /// Ties, ascending by (a, b).
     pub fn ties(&self) -> &[Tie] {
         &self.ties
+    }
+
+    /// Ties to obstacles, as the person listed them.
+    pub fn obstacle_ties(&self) -> &[ObstacleTie] {
+        &self.obstacle_ties
     }
 }

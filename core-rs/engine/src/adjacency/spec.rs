@@ -15,7 +15,7 @@ pub struct AdjacencySpec {
     pub ties: Vec<(u32, u32, f64)>,
     /// Pairs that are not tied, whatever came before.
     pub cuts: Vec<(u32, u32)>,
-    /// Agents that keep clear of an obstacle: agent, obstacle and a factor.
+    /// Agents that keep their clearance to an obstacle: agent, obstacle and a factor.
     pub obstacle_ties: Vec<(u32, u32, f64)>,
 }
 

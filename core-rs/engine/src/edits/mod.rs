@@ -7,6 +7,6 @@ mod avoidance;
 mod deviation;
 mod spline;
 
-pub use avoidance::{Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Other};
+pub use avoidance::{Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, nearest_to};
 pub use deviation::Deviation;
 pub use eigenform_apart::Outline;

@@ -8,11 +8,13 @@ use serde::Serialize;
 pub use suggest::Suggestion;
 
 use super::brief::Brief;
+use super::tied;
 use crate::choice::Choice;
 use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, Outline};
 use crate::measure::{Clearance, Extreme};
 use crate::motion::{Approach, Motion, closeness};
 use crate::obstacle::ObstacleShape;
+use crate::transition::Chain;
 
 /// What avoidance came to in a segment. Flat in the segment's report.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -67,7 +69,7 @@ impl Kept {
 
 impl Avoiding {
     /// Starts on a guide; gives it back where the segment keeps nobody apart.
-    pub(super) fn of(brief: &Brief, guide: Motion) -> Result<Self, Motion> {
+    pub(super) fn of(brief: &Brief, chain: &Chain, guide: Motion) -> Result<Self, Motion> {
         if !brief.own.transition.avoidance || brief.minimum_distance <= 0.0 || guide.agent_count() == 0 {
             return Err(guide);
         }
@@ -77,6 +79,7 @@ impl Avoiding {
             is_clamped: brief.stops().map(|is_stop| !is_stop),
             seed: brief.seed,
             obstacles: brief.obstacles.iter().map(|obstacle| outline(&obstacle.shape)).collect(),
+            holds: tied::holds(&guide, chain, &brief.obstacles, brief.minimum_distance),
         };
         Ok(Self { job: AvoidanceJob::new(avoidance, guide), guide_clearance, progress: 0.0 })
     }
@@ -117,7 +120,7 @@ fn clearance(approach: Approach) -> Clearance {
     Clearance { distance, time, agents }
 }
 
-fn outline(shape: &ObstacleShape) -> Outline {
+pub(super) fn outline(shape: &ObstacleShape) -> Outline {
     match shape {
         ObstacleShape::Circle { center, radius } => Outline { points: vec![center.to_array()], radius: *radius },
         ObstacleShape::Polygon { points } => Outline { points: points.iter().map(DVec2::to_array).collect(), radius: 0.0 },

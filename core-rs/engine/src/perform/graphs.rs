@@ -6,7 +6,7 @@ use crate::adjacency::{self, Adjacency, AdjacencySpec};
 use crate::error::Error;
 use crate::formation::Formation;
 use crate::recent::{Recent, Same};
-use crate::scene::{Group, Scene, group_ties};
+use crate::scene::{Group, Obstacle, Scene, group_ties};
 
 /// A show of 23 keyframes of 200 agents takes 2 MB in all.
 const BYTE_LIMIT: usize = 64 << 20;
@@ -17,6 +17,8 @@ struct Key {
     formation: Same<Formation>,
     spec: Same<AdjacencySpec>,
     groups: Same<Vec<Group>>,
+    /// Where somebody is tied to them.
+    obstacles: Option<Same<Vec<Obstacle>>>,
 }
 
 /// The ties of the keyframes seen lately.
@@ -34,12 +36,14 @@ impl Graphs {
     pub(super) fn of(&mut self, scene: &Scene, keyframe: usize) -> Result<Arc<Adjacency>, Error> {
         let at = &scene.main_track().keyframes[keyframe];
         let spec = at.adjacency.as_ref().unwrap_or(&scene.adjacency);
-        let key = Key { formation: Same(at.positions.clone()), spec: Same(spec.clone()), groups: Same(scene.groups.clone()) };
+        let obstacles = (!spec.obstacle_ties.is_empty()).then(|| Same(scene.obstacles.clone()));
+        let key = Key { formation: Same(at.positions.clone()), spec: Same(spec.clone()), groups: Same(scene.groups.clone()), obstacles };
         if let Some(known) = self.0.get(&key) {
             return Ok(known);
         }
         let adjacency = adjacency::build(&at.positions, spec, &group_ties(&scene.groups)).map_err(|refused| refused.at(keyframe))?;
-        let adjacency = Arc::new(adjacency);
+        let centers: Vec<_> = scene.obstacles.iter().map(|obstacle| obstacle.shape.center()).collect();
+        let adjacency = Arc::new(adjacency.with_obstacle_ties(adjacency::obstacle_ties(&at.positions, spec, &centers)));
         self.0.put(key, adjacency.clone(), size_of_val(adjacency.ties()) + size_of_val(at.positions.positions()));
         Ok(adjacency)
     }

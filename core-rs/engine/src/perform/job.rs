@@ -11,6 +11,7 @@ use super::clock::{Clock, path_parameters};
 use super::performed::{Candidate, Performed};
 use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
+use super::tied;
 use super::trial::{Trial, chosen, with_resort};
 use crate::choice::Choice;
 use crate::edits::Deviation;
@@ -161,7 +162,7 @@ impl Work {
                 } else {
                     let positions = std::mem::take(&mut samples.positions);
                     let guide = Motion::sampled(times, plan.chain.agent_count(), positions, samples.heights.take());
-                    match Avoiding::of(&self.brief, guide) {
+                    match Avoiding::of(&self.brief, &plan.chain, guide) {
                         Ok(avoiding) => Stage::Avoiding(plan, clock, samples, Box::new(avoiding)),
                         Err(motion) => return Ok(Some(self.finish(Attempt { plan, clock, samples, kept: Kept::as_is(motion) }))),
                     }
@@ -250,6 +251,7 @@ impl Work {
             let Some(done) = performer.planner.step(&plan.chain, &plan.ways) else { return Stage::Planning(plan) };
             done.into()
         };
+        let transition = tied::held(transition, &plan.chain, &self.brief.obstacles);
         let has_heights = plan.chain.has_heights();
         match self.known_clock() {
             Some(clock) => self.set_off(plan, transition, clock),
@@ -283,6 +285,7 @@ impl Work {
         let [source, target] = [&chain.ends()[chain.at()], &chain.ends()[chain.at() + 1]];
         let Kept { motion, deviation, avoided } = kept;
         let (measures, curves) = measure::measure(&motion, &samples.ts, [&source.adjacency, &target.adjacency], brief.minimum_distance);
+        let held_clearance = tied::nearest(&motion, chain, &brief.obstacles);
         let choice = plan.ways.own.choice;
         Performed {
             choice,
@@ -291,6 +294,7 @@ impl Work {
             measures,
             curves,
             avoided,
+            held_clearance,
             deviation,
             transition: samples.transition,
             clock,

@@ -16,6 +16,7 @@ mod resorts;
 mod sampling;
 mod show;
 mod text;
+mod tied;
 mod trial;
 
 use std::sync::Arc;

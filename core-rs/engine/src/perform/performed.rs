@@ -8,7 +8,7 @@ use serde::Serialize;
 use super::avoid::Avoided;
 use super::clock::Clock;
 use crate::choice::Choice;
-use crate::edits::Deviation;
+use crate::edits::{Blocked, Deviation};
 use crate::measure::{Curves, Measures};
 use crate::motion::Motion;
 use crate::transition::Transition;
@@ -27,6 +27,8 @@ pub struct Performed {
     pub curves: Curves,
     /// What keeping apart came to; none where the segment does not ask for it.
     pub avoided: Option<Avoided>,
+    /// The nearest that anybody comes to an obstacle that they are tied to; none where nobody is.
+    pub held_clearance: Option<Blocked>,
     pub(super) deviation: Option<Deviation>,
     pub(super) transition: Arc<dyn Transition>,
     pub(super) clock: Clock,
@@ -63,12 +65,15 @@ pub struct Report<'a> {
     candidates: &'a [Candidate],
     #[serde(flatten)]
     avoided: Option<&'a Avoided>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    held_clearance: Option<&'a Blocked>,
 }
 
 impl Performed {
     /// Its numbers.
     pub fn report(&self) -> Report<'_> {
-        Report { choice: self.choice, measures: &self.measures, candidates: &self.candidates, avoided: self.avoided.as_ref() }
+        let Self { choice, measures, candidates, avoided, held_clearance, .. } = self;
+        Report { choice: *choice, measures, candidates, avoided: avoided.as_ref(), held_clearance: held_clearance.as_ref() }
     }
 
     /// Places at `times` (scene seconds within the segment), from the method itself and what keeps agents apart:

@@ -6,28 +6,12 @@ use std::fmt::Display;
 
 use super::Scene;
 use super::place::Place;
-use crate::adjacency::AdjacencySpec;
 use crate::choice::Join;
 use crate::error::Error;
 
 /// The first such value of a scene that is right otherwise.
 pub(super) fn check(scene: &Scene) -> Result<(), Error> {
-    obstacle_ties(scene)?;
     product_in_space(scene)
-}
-
-fn obstacle_ties(scene: &Scene) -> Result<(), Error> {
-    no_ties(&scene.adjacency, Place::Top.field("adjacency").field("obstacleTies"))?;
-    for (index, keyframe) in scene.main_track().keyframes.iter().enumerate() {
-        if let Some(own) = &keyframe.adjacency {
-            no_ties(own, Place::Top.field("keyframes").item(index).field("adjacency").field("obstacleTies"))?;
-        }
-    }
-    Ok(())
-}
-
-fn no_ties(adjacency: &AdjacencySpec, place: impl Display) -> Result<(), Error> {
-    if adjacency.obstacle_ties.is_empty() { Ok(()) } else { refuse("a list with entries", "[]", place) }
 }
 
 /// The paper's product of powers is printed for the plane.

@@ -6,6 +6,9 @@ use glam::DVec3;
 use crate::formation::Formation;
 use eigenform_dense::symmetric_eigen;
 
+/// A row's sum below this, of its diagonal, is round-off: 5,000 terms leave less than a thousandth of it.
+const ROUND_OFF: f64 = 1e-9;
+
 /// The eigenvalues of a Laplacian and an orthonormal basis of its modes (paper A, section 3.1).
 ///
 /// The constant mode is split off exactly before anything is solved, so a graph in several pieces is no special case.
@@ -16,7 +19,7 @@ pub struct Eigenbasis {
 }
 
 impl Eigenbasis {
-    /// The eigenbasis of an n × n Laplacian (symmetric, rows summing to zero), in O(n³).
+    /// The eigenbasis of an n × n Laplacian (symmetric, rows summing to zero or above) on the complement of the constant, in O(n³).
     pub fn of(laplacian: MatRef<'_, f64>) -> Self {
         let agent_count = laplacian.nrows();
         if agent_count == 0 {
@@ -61,16 +64,27 @@ impl Eigenbasis {
 // Both directions use the reflection P = 1 − u uᵀ/(1 + h) with h = 1/√n and u = (1 + h, h, …, h), which takes the first axis
 // to minus the unit constant vector. It is never formed: that would cost two n³ products.
 
-/// P L P without its first row and column, which are zero.
+/// P L P without its first row and column.
 ///
-/// L u is the first column of L, because L takes constants to zero; a general matrix would not do.
+/// L u is the first column of L and h times the sums of the rows: zero, save where an agent is tied to what does not move.
 fn without_constant(laplacian: MatRef<'_, f64>) -> Mat<f64> {
     let agent_count = laplacian.nrows();
     let h = 1.0 / (agent_count as f64).sqrt();
     let scale = 1.0 / (1.0 + h);
-    let shift = 0.5 * scale * scale * laplacian[(0, 0)] * h;
-    let update: Vec<f64> = (1..agent_count).map(|row| h * (scale * laplacian[(row, 0)] - shift)).collect();
+    let sums = row_sums(laplacian);
+    let through = laplacian[(0, 0)] + h * (2.0 * sums[0] + h * sums.iter().sum::<f64>());
+    let shift = 0.5 * scale * scale * through * h;
+    let update: Vec<f64> = (1..agent_count).map(|row| h * (scale * (laplacian[(row, 0)] + h * sums[row]) - shift)).collect();
     Mat::from_fn(agent_count - 1, agent_count - 1, |row, column| laplacian[(row + 1, column + 1)] - (update[row] + update[column]))
+}
+
+/// The sums of the rows; exactly zero where they are round-off.
+fn row_sums(laplacian: MatRef<'_, f64>) -> Vec<f64> {
+    let sum = |row: usize| -> f64 {
+        let sum = laplacian.row(row).iter().sum();
+        if sum > ROUND_OFF * laplacian[(row, row)] { sum } else { 0.0 }
+    };
+    (0..laplacian.nrows()).map(sum).collect()
 }
 
 /// P applied to vectors that lack the first coordinate.
@@ -137,6 +151,24 @@ mod tests {
         let one = Eigenbasis::of(Mat::zeros(1, 1).as_ref());
         assert_eq!((one.eigenvalues(), one.modes().nrows(), one.modes().ncols()), (&[0.0][..], 1, 0));
         check(&Mat::from_fn(2, 2, |r, c| if r == c { 3.0 } else { -3.0 }), &[0.0, 6.0]);
+    }
+
+    #[test]
+    fn a_tie_to_what_does_not_move_counts_beside_the_constant() {
+        let mut laplacian = cycle(7);
+        laplacian[(0, 0)] += 3.0;
+        laplacian[(4, 4)] += 0.5;
+        let basis = Eigenbasis::of(laplacian.as_ref());
+        let modes = basis.modes();
+        // Within the complement of the constant the modes are those of the matrix.
+        let within = modes.transpose() * &laplacian * modes;
+        for row in 0..6 {
+            for column in 0..6 {
+                let expected = if row == column { basis.eigenvalues()[row + 1] } else { 0.0 };
+                assert!((within[(row, column)] - expected).abs() < 1e-13, "{row} {column}");
+            }
+        }
+        assert!((basis.eigenvalues()[6] - 5.0).abs() < 1.0, "the firmly tied agent is nearly a mode of its own");
     }
 
     #[test]

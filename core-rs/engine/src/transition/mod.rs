@@ -8,6 +8,7 @@ mod blend;
 mod carried;
 mod chain;
 mod cubic;
+mod held;
 mod hierarchical;
 mod hierarchy;
 mod linear;
@@ -29,6 +30,7 @@ mod turns;
 use glam::DVec2;
 
 pub use chain::{Chain, End, Way, Ways};
+pub use held::held;
 pub use hierarchical::Hierarchical;
 pub use hierarchy::Hierarchy;
 pub(crate) use nodes::nodes_at;

@@ -5,6 +5,7 @@
 mod cases;
 mod formula;
 mod meeting;
+mod obstacle_ties;
 mod show;
 mod stops;
 mod symmetry;

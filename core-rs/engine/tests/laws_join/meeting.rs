@@ -42,7 +42,7 @@ pub fn velocities(scene: &Scene, performance: &eigenform::perform::Performance, 
     [side(0.0, 1.0), side(1.0, -1.0)]
 }
 
-fn check_velocities(name: &str, scene: &Scene) {
+pub fn check_velocities(name: &str, scene: &Scene) {
     check_ends(name, scene);
     let performance = performed(scene);
     let sides: Vec<[Vec<DVec2>; 2]> = (0..performance.segments().len()).map(|index| velocities(scene, &performance, index)).collect();

@@ -54,18 +54,10 @@ fn supported(mut scene: Scene) -> Scene {
     while let Err(Error::Unsupported { place, .. }) = validate(&scene) {
         match place.as_str() {
             "join" => scene.join = Join::default(),
-            place if place.ends_with("adjacency.obstacleTies") => untie_from_obstacles(&mut scene),
             _ => panic!("{place} was made by chance but is never supported"),
         }
     }
     scene
-}
-
-fn untie_from_obstacles(scene: &mut Scene) {
-    Arc::make_mut(&mut scene.adjacency).obstacle_ties.clear();
-    for own in scene.tracks.iter_mut().flat_map(|track| &mut track.keyframes).filter_map(|keyframe| keyframe.adjacency.as_mut()) {
-        Arc::make_mut(own).obstacle_ties.clear();
-    }
 }
 
 fn join() -> impl Strategy<Value = Join> {

@@ -1,4 +1,5 @@
 import type { ComponentChildren } from "preact";
+import { obstacleLabel } from "../../document/obstacle";
 import { agentLabel } from "../../document/queries";
 import {
   formatAngle,
@@ -27,6 +28,7 @@ export function Measures({ plan }: { plan: SegmentPlan }) {
   const span = { from: start, to: end };
   const clearance = report.clearance;
   const speed = report.topSpeed;
+  const held = report.heldClearance;
   return (
     <Section title="Measures" note={`over ${formatDuration(end - start)}`} isRegion>
       {clearance && (
@@ -40,6 +42,15 @@ export function Measures({ plan }: { plan: SegmentPlan }) {
               ? `before ${lengthWithUnit(report.guideClearance.distance, units)}`
               : `at ${formatTime(clearance.time)}`
           }
+        />
+      )}
+      {held && (
+        <Measure
+          label="Held clearance"
+          plot={null}
+          value={formatLength(held.distance, units)}
+          unit={units}
+          worst={`${agentLabel(scene, held.agent)} to ${obstacleLabel(scene, held.obstacle)}`}
         />
       )}
       {report.deviation && (

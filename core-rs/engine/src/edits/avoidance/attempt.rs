@@ -4,7 +4,7 @@ use eigenform_apart::Paths;
 
 use super::Avoidance;
 use super::breaches::{Breach, Other};
-use super::obstacles::{Blocked, blocked};
+use super::obstacles::Blocked;
 use super::sampling::moved;
 use crate::motion::{Approach, Motion, clashes};
 
@@ -22,10 +22,10 @@ pub(super) struct Attempt {
 
 impl Attempt {
     /// The guide moved by a deviation, checked exactly.
-    pub(super) fn new(rung: usize, guide: &Motion, deviation: Paths, avoidance: &Avoidance, least: f64, breaches: &[Breach]) -> Self {
+    pub(super) fn new(rung: usize, guide: &Motion, deviation: Paths, avoidance: &Avoidance, slack: f64, breaches: &[Breach]) -> Self {
         let motion = moved(guide, &deviation);
-        let clashes = clashes(&motion, least);
-        let blocked = blocked(&motion, &avoidance.obstacles, least);
+        let clashes = clashes(&motion, avoidance.minimum_distance - slack);
+        let blocked = avoidance.blocked(&motion, slack);
         let open_count = open_count(&clashes, breaches, &motion) + free_count(&blocked, breaches);
         Self { rung, deviation, motion, clashes, blocked, open_count }
     }

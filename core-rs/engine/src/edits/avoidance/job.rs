@@ -5,7 +5,6 @@ use eigenform_apart::{Paths, Solver, State};
 use super::attempt::{Attempt, free_count, open_count};
 use super::breaches::{Breach, breaches};
 use super::meetings::Lister;
-use super::obstacles::blocked;
 use super::reroute::reroute;
 use super::rungs::{RUNGS, Ways};
 use super::sampling::{at_knots, at_samples, difference, lifted, sum};
@@ -96,21 +95,17 @@ impl AvoidanceJob {
         }
     }
 
-    fn least(&self) -> f64 {
-        self.avoidance.minimum_distance - SLACK
-    }
-
     fn progress(&self, sweeps: usize, limit: usize) -> AvoidanceStep {
         let within = sweeps as f64 / limit as f64;
         AvoidanceStep::Progress((self.rung as f64 + within.min(1.0)) / RUNGS.len() as f64)
     }
 
     fn check(&mut self) -> AvoidanceStep {
-        let unsolved = clashes(&self.guide, self.least());
+        let unsolved = clashes(&self.guide, self.avoidance.minimum_distance - SLACK);
         if self.guide.agent_count() > 0 {
             self.breaches = breaches(&self.guide, &self.avoidance, SLACK, BREACH_LIMIT);
         }
-        let blocked = blocked(&self.guide, &self.avoidance.obstacles, self.least());
+        let blocked = self.avoidance.blocked(&self.guide, SLACK);
         let is_open = open_count(&unsolved, &self.breaches, &self.guide) + free_count(&blocked, &self.breaches) > 0;
         // Three samples have one between the keyframes; a bump needs two.
         let can_move = self.ways.mean > 0.0 && self.guide.times().len() >= 4 && self.breaches.len() < BREACH_LIMIT;
@@ -148,7 +143,7 @@ impl AvoidanceJob {
         // From the guide itself, which those who swirl have left before.
         let deviation = difference(solver.paths(), &at_knots(&self.guide, solver.paths().knot_count()));
         let deviation = lifted(&deviation, self.guide.times(), self.avoidance.is_clamped);
-        let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, &self.avoidance, self.least(), &self.breaches);
+        let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, &self.avoidance, SLACK, &self.breaches);
         let sample_count = self.guide.times().len();
         let is_small = sample_count <= REPAIRABLE_LENGTH && sample_count * self.guide.agent_count() <= REPAIRABLE_SAMPLES;
         let is_repairable = attempt.open_count <= REPAIRABLE_CLASHES && is_small;
@@ -172,7 +167,7 @@ impl AvoidanceJob {
             return progress;
         }
         let deviation = sum(&from, &difference(solver.paths(), solver.guide()));
-        let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, &self.avoidance, self.least(), &self.breaches);
+        let attempt = Attempt::new(self.rung + 1, &self.guide, deviation, &self.avoidance, SLACK, &self.breaches);
         self.keep(attempt);
         self.end_rung()
     }
@@ -182,7 +177,7 @@ impl AvoidanceJob {
         let before = solver.visits();
         loop {
             if solver.needs_list() {
-                self.lister.list(solver, &self.breaches, &self.avoidance.obstacles);
+                self.lister.list(solver, &self.breaches, &self.avoidance);
             }
             let state = solver.sweep();
             if state != State::Working || solver.visits() - before >= VISITS_PER_STEP {

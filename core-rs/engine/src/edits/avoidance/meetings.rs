@@ -1,8 +1,11 @@
 //! Lists who may meet at which knots.
 
+use std::ops::Range;
+
 use eigenform_apart::{Meeting, Outline, Paths, Solver};
 use glam::DVec2;
 
+use super::Avoidance;
 use super::breaches::{Breach, Other};
 use super::obstacles::Round;
 use super::rungs::greatest_step;
@@ -23,15 +26,24 @@ pub(super) struct Lister {
 
 impl Lister {
     /// Gives the solver a new list of all who may meet, save those that a keyframe has too near, next to it.
-    pub(super) fn list(&mut self, solver: &mut Solver, breaches: &[Breach], outlines: &[Outline]) {
+    pub(super) fn list(&mut self, solver: &mut Solver, breaches: &[Breach], avoidance: &Avoidance) {
         let mut meetings = solver.take_list();
         let reach = solver.reach();
         let paths = solver.paths();
         self.near_pairs(paths, reach);
         meetings.clear();
         runs_into(&self.keys, &mut meetings);
+        let outlines = avoidance.outlines();
+        let obstacle_count = avoidance.obstacles.len();
         for (number, outline) in outlines.iter().enumerate() {
-            near_outline_into(paths, outline, number, reach, &mut meetings);
+            let agents = match number.checked_sub(obstacle_count) {
+                None => 0..paths.agent_count(),
+                Some(hold) => {
+                    let agent = avoidance.holds[hold].agent as usize;
+                    agent..agent + 1
+                }
+            };
+            near_outline_into(paths, agents, (number, outline), reach, &mut meetings);
         }
         if !breaches.is_empty() {
             let knot_count = paths.knot_count();
@@ -115,11 +127,17 @@ fn runs_into(keys: &[u64], meetings: &mut Vec<Meeting>) {
     }
 }
 
-fn near_outline_into(paths: &Paths, outline: &Outline, number: usize, reach: f64, meetings: &mut Vec<Meeting>) {
+fn near_outline_into(
+    paths: &Paths,
+    agents: Range<usize>,
+    (number, outline): (usize, &Outline),
+    reach: f64,
+    meetings: &mut Vec<Meeting>,
+) {
     let last = paths.knot_count() - 1;
     let j = (paths.agent_count() + number) as u32;
     let round = Round::about(outline);
-    for agent in 0..paths.agent_count() {
+    for agent in agents {
         let mut open: Option<Meeting> = None;
         for knot in 1..last {
             let [x, y, _] = paths.place(agent, knot);

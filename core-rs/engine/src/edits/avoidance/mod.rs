@@ -20,7 +20,7 @@ use super::deviation::Deviation;
 pub use breaches::{Breach, Other};
 pub use eigenform_apart::Outline;
 pub use job::{AvoidanceJob, AvoidanceStep};
-pub use obstacles::Blocked;
+pub use obstacles::{Blocked, Hold, nearest_to};
 
 /// What to keep apart, and how freely.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +33,8 @@ pub struct Avoidance {
     pub seed: u32,
     /// What stands in the way.
     pub obstacles: Vec<Outline>,
+    /// Who must not come nearer to which of them than they are, farther than everybody keeps.
+    pub holds: Vec<Hold>,
 }
 
 /// A motion after avoidance.

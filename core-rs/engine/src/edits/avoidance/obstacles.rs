@@ -4,6 +4,7 @@ use eigenform_apart::Outline;
 use glam::DVec2;
 use serde::Serialize;
 
+use super::Avoidance;
 use crate::motion::Motion;
 
 /// An agent at its nearest to an obstacle.
@@ -19,32 +20,65 @@ pub struct Blocked {
     pub obstacle: u32,
 }
 
-/// Everybody whose way comes nearer to an outline than `least` meters, at the nearest; by agent, then by obstacle. Exact for the
-/// straight pieces between samples.
-pub(super) fn blocked(motion: &Motion, outlines: &[Outline], least: f64) -> Vec<Blocked> {
-    let mut blocked = Vec::new();
-    let rounds: Vec<Round> = outlines.iter().map(Round::about).collect();
-    for agent in 0..motion.agent_count() {
-        for (obstacle, (outline, round)) in outlines.iter().zip(&rounds).enumerate() {
-            let mut nearest = Blocked { distance: least, time: 0.0, agent: agent as u32, obstacle: obstacle as u32 };
-            for k in 1..motion.times().len() {
-                let ends = [k - 1, k].map(|k| motion.sample(k)[agent]);
-                // Whoever is farther from the middle than that and one step cannot come so near.
-                if !round.reaches(ends[0].x, ends[0].y, least + ends[0].distance(ends[1])) {
-                    continue;
-                }
-                let (distance, t) = outline.least_clearance(ends[0].to_array(), ends[1].to_array());
-                if distance < nearest.distance {
-                    let [start, end] = [motion.times()[k - 1], motion.times()[k]];
-                    (nearest.distance, nearest.time) = (distance, start + t * (end - start));
-                }
-            }
-            if nearest.distance < least {
-                blocked.push(nearest);
+/// An agent that keeps more than the minimum distance to an obstacle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hold {
+    /// Who.
+    pub agent: u32,
+    /// To what, by number.
+    pub obstacle: u32,
+    /// Meters, above the minimum distance.
+    pub distance: f64,
+}
+
+impl Avoidance {
+    /// All outlines that paths keep the minimum distance to: the obstacles, then for every hold its obstacle, grown.
+    pub(super) fn outlines(&self) -> Vec<Outline> {
+        let grown = |hold: &Hold| {
+            let outline = &self.obstacles[hold.obstacle as usize];
+            Outline { radius: outline.radius + hold.distance - self.minimum_distance, ..outline.clone() }
+        };
+        self.obstacles.iter().cloned().chain(self.holds.iter().map(grown)).collect()
+    }
+
+    /// Everybody whose way comes nearer to an obstacle than the minimum distance, or than they hold, by more than `slack` meters, at
+    /// the nearest; by agent, then by obstacle. Exact for the straight pieces between samples.
+    pub(super) fn blocked(&self, motion: &Motion, slack: f64) -> Vec<Blocked> {
+        let rounds: Vec<Round> = self.obstacles.iter().map(Round::about).collect();
+        let mut blocked = Vec::new();
+        for agent in 0..motion.agent_count() as u32 {
+            for (obstacle, (outline, round)) in (0..).zip(self.obstacles.iter().zip(&rounds)) {
+                let hold = self.holds.iter().find(|hold| (hold.agent, hold.obstacle) == (agent, obstacle));
+                let least = hold.map_or(self.minimum_distance, |hold| hold.distance) - slack;
+                let nearest = nearest_within(motion, (agent, obstacle), (outline, round), least);
+                blocked.extend((nearest.distance < least).then_some(nearest));
             }
         }
+        blocked
     }
-    blocked
+}
+
+/// An agent where it is nearest to an outline. Exact for the straight pieces between samples.
+pub fn nearest_to(motion: &Motion, agent: u32, obstacle: u32, outline: &Outline) -> Blocked {
+    nearest_within(motion, (agent, obstacle), (outline, &Round::about(outline)), f64::INFINITY)
+}
+
+/// At `least` from it where it stays as far away.
+fn nearest_within(motion: &Motion, (agent, obstacle): (u32, u32), (outline, round): (&Outline, &Round), least: f64) -> Blocked {
+    let mut nearest = Blocked { distance: least, time: 0.0, agent, obstacle };
+    for k in 1..motion.times().len() {
+        let ends = [k - 1, k].map(|k| motion.sample(k)[agent as usize]);
+        // Whoever is farther from the middle than that and one step cannot come so near.
+        if !round.reaches(ends[0].x, ends[0].y, nearest.distance + ends[0].distance(ends[1])) {
+            continue;
+        }
+        let (distance, t) = outline.least_clearance(ends[0].to_array(), ends[1].to_array());
+        if distance < nearest.distance {
+            let [start, end] = [motion.times()[k - 1], motion.times()[k]];
+            (nearest.distance, nearest.time) = (distance, start + t * (end - start));
+        }
+    }
+    nearest
 }
 
 /// A circle about an outline: most agents are far from most obstacles.

@@ -9,6 +9,8 @@ use std::f64::consts::{PI, TAU};
 use eigenform_apart::{Kernel, Outline, Paths};
 use glam::DVec2;
 
+use crate::obstacle::hull;
+
 /// Obstacles may push into one another's way; after so many rounds what is left is left to the pushes.
 const ROUNDS: usize = 3;
 
@@ -170,28 +172,6 @@ fn chain(points: &[DVec2], start: DVec2, end: DVec2, is_left: bool) -> Option<Ve
     Some(hull)
 }
 
-/// The convex hull, counterclockwise (Andrew's monotone chain).
-fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
-    points.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    points.dedup();
-    let mut hull: Vec<DVec2> = Vec::new();
-    for is_upper in [false, true] {
-        let base = hull.len();
-        let mut add = |p: DVec2| {
-            while hull.len() >= base + 2 && (hull[hull.len() - 1] - hull[hull.len() - 2]).perp_dot(p - hull[hull.len() - 1]) <= 0.0 {
-                hull.pop();
-            }
-            hull.push(p);
-        };
-        for k in 0..points.len() {
-            add(points[if is_upper { points.len() - 1 - k } else { k }]);
-        }
-        // Each half ends where the other starts.
-        hull.pop();
-    }
-    hull
-}
-
 /// Where one is on a new way, a knot each, who has covered as much of it as of the old one.
 fn walked(old: &[DVec2], way: &[DVec2]) -> Vec<DVec2> {
     let lengths = |points: &[DVec2]| {
@@ -226,14 +206,6 @@ fn at(paths: &Paths, agent: usize, knot: usize) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_hull_turns_counterclockwise_and_leaves_out_what_is_inside() {
-        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(DVec2::from_array);
-        let mut points = square.to_vec();
-        points.extend([DVec2::ONE, DVec2::new(1.0, 0.0)]);
-        assert_eq!(hull(points), square);
-    }
 
     #[test]
     fn a_way_around_passes_on_the_side_asked_for() {

@@ -101,7 +101,7 @@ impl Rung {
             step_cap: self.cap,
             sweep_limit: KNOT_SWEEPS,
             seed: self.seed << 32 | u64::from(avoidance.seed),
-            outlines: avoidance.obstacles.clone(),
+            outlines: avoidance.outlines(),
         }
     }
 
