@@ -62,7 +62,8 @@ mod tests {
 
     #[test]
     fn the_center_of_a_polygon_is_that_of_its_area() {
-        let center = |points: &[[f64; 2]]| ObstacleShape::Polygon { points: points.iter().copied().map(DVec2::from_array).collect() }.center();
+        let center =
+            |points: &[[f64; 2]]| ObstacleShape::Polygon { points: points.iter().copied().map(DVec2::from_array).collect() }.center();
         assert_eq!(center(&[[1.0, 1.0], [5.0, 1.0], [5.0, 3.0], [1.0, 3.0]]), DVec2::new(3.0, 2.0));
         // An L of three unit squares, either way round.
         let mut corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];

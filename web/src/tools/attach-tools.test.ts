@@ -2,14 +2,7 @@ import { beforeEach, expect, test, vi } from "vitest";
 import type { Point } from "../document/formation";
 import { toScreen, toStage } from "../stage/camera";
 import { attachTools } from "./attach-tools";
-import { type Bench, createBench } from "./test-bench";
-
-const SQUARE: readonly Point[] = [
-  [0, 0],
-  [4, 0],
-  [4, 4],
-  [0, 4],
-];
+import { type Bench, createBench, SQUARE } from "./test-bench";
 
 /** As much of an element as the tools ask: it begins at (100, 50) of the page. */
 class Stage extends EventTarget {

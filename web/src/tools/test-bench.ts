@@ -18,6 +18,14 @@ import { createWorkbench } from "./workbench";
 /** Pixels a meter on the bench: an agent is hit within a third of a meter at most. */
 const SCALE = 40;
 
+/** A formation to start from. */
+export const SQUARE: readonly Point[] = [
+  [0, 0],
+  [4, 0],
+  [4, 4],
+  [0, 4],
+];
+
 export type Held = Partial<Pick<Pointing, "shift" | "ctrl" | "alt">>;
 
 /** A toolbox with a document, a view and a show, for tests that act as a hand does. */

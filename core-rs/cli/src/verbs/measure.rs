@@ -120,8 +120,11 @@ fn table(report: &Report<'_>) -> String {
     }
     for (index, segment) in report.segments.iter().enumerate() {
         if let Some(Blocked { distance, time, agent, obstacle }) = segment.held_clearance {
-            writeln!(text, "segment {index}: agent {agent}, tied to obstacle {obstacle}, is {distance:.3} m from it at {time:.2} s, nobody nearer")
-                .expect("a string takes any text");
+            writeln!(
+                text,
+                "segment {index}: agent {agent}, tied to obstacle {obstacle}, is {distance:.3} m from it at {time:.2} s, nobody nearer"
+            )
+            .expect("a string takes any text");
         }
         for clash in segment.avoided.iter().flat_map(|avoided| &avoided.unsolved) {
             let (a, b) = clash.agents;

@@ -51,12 +51,12 @@ impl Rim {
     /// Around an obstacle.
     pub fn of(shape: &ObstacleShape) -> Self {
         match shape {
-            ObstacleShape::Circle { center, radius } => Self::around(vec![*center], *radius),
-            ObstacleShape::Polygon { points } => Self::around(hull(points.clone()), 0.0),
+            ObstacleShape::Circle { center, radius } => Self::around(&[*center], *radius),
+            ObstacleShape::Polygon { points } => Self::around(&hull(points.clone()), 0.0),
         }
     }
 
-    fn around(points: Vec<DVec2>, radius: f64) -> Self {
+    fn around(points: &[DVec2], radius: f64) -> Self {
         let count = points.len();
         let edge = |k: usize| points[(k + 1) % count] - points[k % count];
         let (mut straight_before, mut turned_before) = (0.0, 0.0);
@@ -95,7 +95,13 @@ impl Rim {
         }
         let along = (out.to_angle() - corner.angle).rem_euclid(TAU);
         // Round-off before the arc is its beginning, beyond it its end.
-        let turned = if along <= corner.turn { along } else if along > PI + 0.5 * corner.turn { 0.0 } else { corner.turn };
+        let turned = if along <= corner.turn {
+            along
+        } else if along > PI + 0.5 * corner.turn {
+            0.0
+        } else {
+            corner.turn
+        };
         Beside { straight: corner.straight_before, turned: corner.turned_before + turned, clearance }
     }
 

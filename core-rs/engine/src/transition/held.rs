@@ -65,7 +65,9 @@ fn courses(chain: &Chain, obstacles: &[&ObstacleShape]) -> Vec<Course> {
     for of_agent in courses.chunk_by_mut(|a, b| a.agent == b.agent) {
         for side in [0, 1] {
             let total: f64 = of_agent.iter().map(|course| course.shares[side]).sum();
-            of_agent.iter_mut().for_each(|course| course.shares[side] /= total.max(1.0));
+            for course in of_agent.iter_mut() {
+                course.shares[side] /= total.max(1.0);
+            }
         }
     }
     courses.retain(|course| course.shares != [0.0; 2]);
@@ -98,7 +100,9 @@ impl<'a> Around<'a> {
     fn of(chain: &'a Chain, agent: usize, rim: Arc<Rim>) -> Self {
         let mut besides: Vec<Beside> = (0..chain.ends().len()).map(|end| rim.beside(chain.formation(end).positions()[agent])).collect();
         let is_within = besides.iter().map(|beside| beside.clearance < 0.0).collect();
-        besides.iter_mut().for_each(|beside| beside.clearance = beside.clearance.max(0.0));
+        for beside in &mut besides {
+            beside.clearance = beside.clearance.max(0.0);
+        }
         Self { chain, agent, rim, besides, is_within }
     }
 

@@ -184,7 +184,8 @@ fn keeping_apart_takes_nobody_nearer_to_an_obstacle_that_they_are_tied_to() {
     assert!(avoided.unsolved.is_empty() && avoided.blocked.is_empty() && avoided.rung > 0, "{avoided:?}");
     let outline = Outline { points: vec![center.to_array()], radius: 2.5 };
     for agent in [0, 1] {
-        let [before, after] = [&guide, &apart].map(|performance| nearest_to(&performance.segments()[0].motion, agent, 0, &outline).distance);
+        let [before, after] =
+            [&guide, &apart].map(|performance| nearest_to(&performance.segments()[0].motion, agent, 0, &outline).distance);
         // Straight pieces of a sixteenth of a radian cut 2 mm from a ring of 4 m; and the slack of the exact check.
         assert!(before > 1.5 - 3e-3 && after >= before - 1e-6, "agent {agent}: {after} of {before}");
     }

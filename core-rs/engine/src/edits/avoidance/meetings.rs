@@ -127,13 +127,7 @@ fn runs_into(keys: &[u64], meetings: &mut Vec<Meeting>) {
     }
 }
 
-fn near_outline_into(
-    paths: &Paths,
-    agents: Range<usize>,
-    (number, outline): (usize, &Outline),
-    reach: f64,
-    meetings: &mut Vec<Meeting>,
-) {
+fn near_outline_into(paths: &Paths, agents: Range<usize>, (number, outline): (usize, &Outline), reach: f64, meetings: &mut Vec<Meeting>) {
     let last = paths.knot_count() - 1;
     let j = (paths.agent_count() + number) as u32;
     let round = Round::about(outline);
