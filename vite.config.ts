@@ -13,7 +13,7 @@ export default defineConfig({
     target: "es2022",
     assetsInlineLimit: 0,
     // The perspective view brings three along, when it is opened.
-    chunkSizeWarningLimit: 600,
+    chunkSizeWarningLimit: 640,
     modulePreload: { polyfill: false },
     rolldownOptions: {
       // What is needed at first travels in one piece: many small shared chunks compress worse.

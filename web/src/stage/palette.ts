@@ -53,7 +53,7 @@ export function readPalette(read: (name: string) => string): Palette {
     fieldLine: value("--field-line"),
     fieldLineMinor: value("--field-line-minor"),
     fieldNumber: value("--field-number"),
-    tie: `rgb(${value("--tie")})`,
+    tie: `rgb(${value("--tie").split(/\s+/).join(", ")})`,
     trailAlpha: Number.parseFloat(value("--trail-alpha")),
     hullAlpha: Number.parseFloat(value("--hull-alpha")),
     onionAlpha: Number.parseFloat(value("--onion-alpha")),

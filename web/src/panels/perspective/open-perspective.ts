@@ -2,10 +2,14 @@ import type { ReadonlySignal } from "@preact/signals";
 import { selectedAgents } from "../../document/queries";
 import { toggled } from "../../document/sets";
 import type { BodyKind } from "../../stage/perspective/bodies";
-import { createPerspective, type Perspective, type PickWay } from "../../stage/perspective/create-perspective";
+import {
+  createPerspective,
+  type Perspective,
+  type Picked,
+  type PickWay,
+} from "../../stage/perspective/create-perspective";
 import { NoGraphics } from "../../stage/perspective/device";
 import { agentSelection } from "../../tools/tool";
-import { showOf } from "../show-of";
 import type { Studio } from "../studio";
 import { isMac } from "../use-action";
 
@@ -15,27 +19,32 @@ export function openPerspective(
   studio: Studio,
   bodies: ReadonlySignal<BodyKind>,
 ): Perspective | null {
-  const { document, playback, view, messages } = studio;
+  const { document, playback, planner, view, messages } = studio;
 
   function backToPlan(title: string, text: string): void {
     view.projection.value = "plan";
     messages.say({ tone: "problem", title, text });
   }
 
-  function pick(agent: number | null, way: PickWay): void {
+  function pick(picked: Picked, way: PickWay): void {
     const { scene, selection } = document;
+    if (picked.kind === "obstacle" && way === "replace") {
+      selection.value = picked;
+      return;
+    }
     const before = selectedAgents(scene.peek(), selection.peek());
-    const picked = new Set(agent === null ? [] : [agent]);
-    if (way === "replace") selection.value = agentSelection(picked);
-    else if (way === "add") selection.value = agentSelection(new Set([...before, ...picked]));
-    else selection.value = agentSelection(toggled(before, picked));
+    const agents = new Set(picked.kind === "agent" ? [picked.agent] : []);
+    if (way === "replace") selection.value = agentSelection(agents);
+    else if (way === "add") selection.value = agentSelection(new Set([...before, ...agents]));
+    else selection.value = agentSelection(toggled(before, agents));
   }
 
   try {
     return createPerspective(place, {
       scene: document.scene,
       selection: document.selection,
-      show: showOf(studio),
+      segments: planner.segments,
+      ties: planner.ties,
       playback,
       view,
       bodies,

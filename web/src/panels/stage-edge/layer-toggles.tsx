@@ -9,11 +9,14 @@ const LAYERS: readonly { readonly layer: keyof Layers; readonly name: string }[]
   { layer: "names", name: "Names" },
 ];
 
-/** What the stage shows beside the agents; in perspective little of it is to be seen. */
+/** What is to be seen in perspective, too. */
+const IN_SPACE: ReadonlySet<keyof Layers> = new Set(["ties", "trails", "groups"]);
+
+/** What the stage shows beside the agents. */
 export function LayerToggles() {
   const { actions, view } = useStudio();
   const layers = view.layers.value;
-  const shown = view.projection.value !== "perspective" ? LAYERS : LAYERS.filter(({ layer }) => layer === "trails");
+  const shown = view.projection.value !== "perspective" ? LAYERS : LAYERS.filter(({ layer }) => IN_SPACE.has(layer));
   return (
     <fieldset class="layer-toggles" aria-label="Shown on the stage">
       {shown.map(({ layer, name }) => (

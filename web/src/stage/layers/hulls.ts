@@ -64,7 +64,7 @@ function traceInside(context: CanvasRenderingContext2D, { points, spacing }: Fra
 }
 
 /** How much of a tie is covered: all of a short one, nothing of a long one. */
-function coverOf(spacings: number): number {
+export function coverOf(spacings: number): number {
   return 1 - smoothstep(COVERED.from, COVERED.to, spacings);
 }
 

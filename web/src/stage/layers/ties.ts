@@ -3,10 +3,10 @@ import { fade } from "../spacing";
 import type { TieBundle, TiePhase } from "../ties";
 
 /** Below this alpha a hairline cannot be seen; stroking thousands of them would cost the frame. */
-const INVISIBLE = 0.032;
+export const INVISIBLE = 0.032;
 
 /** How far each phase shows, `t` of the way through the transition. */
-function presence(phase: TiePhase, t: number): number {
+export function presence(phase: TiePhase, t: number): number {
   switch (phase) {
     case "both":
       return 1;

@@ -1,17 +1,20 @@
 import "./perspective.css";
 import { computed, effect, type ReadonlySignal } from "@preact/signals";
-import { selectedAgents } from "../../document/queries";
-import { mainTrack, type Scene } from "../../document/scene";
+import type { Scene } from "../../document/scene";
 import type { Selection } from "../../document/selection";
+import type { Planning, TieList } from "../../engine/api";
 import type { Playback } from "../../playback/playback";
-import type { Show } from "../../playback/show";
+import type { ScreenPoint } from "../camera";
 import { castOf } from "../cast";
 import { onDensityChange } from "../density";
 import { arrivals } from "../later";
 import { createLoop } from "../loop";
 import { createPace } from "../pace";
+import { createSceneryKeeper } from "../scenery";
+import { createSubject } from "../subject";
 import type { Lens, View } from "../view";
 import { watchPalette } from "../watch-palette";
+import { blockAt } from "./block-pick";
 import type { BodyKind } from "./bodies";
 import { createEye } from "./eye";
 import { createFinger } from "./finger";
@@ -27,17 +30,23 @@ const COARSE_FROM = 1 / 22;
 /** What a press does to the selection. */
 export type PickWay = "replace" | "add" | "toggle";
 
+/** What was pressed. */
+export type Picked =
+  | { readonly kind: "agent"; readonly agent: number }
+  | { readonly kind: "obstacle"; readonly index: number }
+  | { readonly kind: "nothing" };
+
 /** What the perspective view looks at. It changes none of it but who is hovered and, playing, the time. */
 export interface PerspectiveInputs {
   readonly scene: ReadonlySignal<Scene>;
   readonly selection: ReadonlySignal<Selection>;
-  readonly show: ReadonlySignal<Show>;
+  readonly segments: ReadonlySignal<readonly Planning[]>;
+  readonly ties: ReadonlySignal<readonly (TieList | null)[]>;
   readonly playback: Playback;
   readonly view: View;
   readonly bodies: ReadonlySignal<BodyKind>;
   readonly isMac: boolean;
-  /** Somebody was pressed, or nobody. */
-  onPick(agent: number | null, way: PickWay): void;
+  onPick(picked: Picked, way: PickWay): void;
   /** The graphics device is gone; the view shows nothing anymore. */
   onLost(): void;
 }
@@ -55,21 +64,29 @@ export interface Perspective extends Lens {
  * Throws `NoGraphics` where the browser draws nothing in three dimensions.
  */
 export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs): Perspective {
-  const { scene, selection, show, playback, view } = inputs;
-  const track = computed(() => mainTrack(scene.value));
+  const { scene, selection, playback, view } = inputs;
+  const subject = createSubject(scene, selection, inputs.segments, inputs.ties);
+  const { track, show, selected } = subject;
+  const sceneryFor = createSceneryKeeper();
   const sizes = computed(() => bodySizes(track.value));
   const eye = createEye(scene, view, sizes);
   const picture: WorldPicture = {
     show: show.peek(),
+    track: track.peek(),
     time: 0,
+    scenery: { ties: [], hulls: [] },
+    isMarked: null,
     isSparing: false,
     stage: scene.peek().stage,
+    units: "m",
     obstacles: [],
+    chosen: null,
     kind: inputs.bodies.peek(),
     sizes: sizes.peek(),
-    hasTrails: true,
+    layers: view.layers.peek(),
     selected: new Set(),
     hovered: null,
+    minimumDistance: 0,
     orbit: eye.orbit.peek(),
   };
   const world = createWorld(host, picture, inputs.onLost);
@@ -85,7 +102,8 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     void [agents.value, groups.value];
     return watch.palette.value && castOf(scene.peek(), watch.palette.value);
   });
-  const selected = computed(() => selectedAgents(scene.value, selection.value));
+  /** The obstacle that is selected. */
+  const chosen = computed(() => (selection.value.kind === "obstacle" ? selection.value.index : null));
   const finger = createFinger();
   const needs: WorldNeeds = { ground: true, cast: true, poses: true };
 
@@ -106,14 +124,23 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     const palette = watch.palette.peek();
     const who = cast.peek();
     if (!palette || !who || view.size.peek().width === 0) return;
+    const { stage: now, obstacles: around, minimumDistance } = scene.peek();
     picture.show = show.peek();
+    picture.track = track.peek();
     picture.time = playback.time.peek();
     picture.isSparing = playback.isPlaying.peek() && pace.isSparing;
     picture.kind = inputs.bodies.peek();
     picture.sizes = sizes.peek();
-    picture.hasTrails = view.layers.peek().trails;
-    picture.stage = scene.peek().stage;
-    picture.obstacles = scene.peek().obstacles;
+    picture.layers = view.layers.peek();
+    picture.stage = now;
+    picture.units = now.units;
+    picture.obstacles = around;
+    picture.chosen = chosen.peek();
+    picture.minimumDistance = minimumDistance;
+    picture.isMarked = subject.isMarked.peek();
+    const index = picture.show.keyframeBefore(picture.time);
+    const isMoving = picture.show.segmentAt(picture.time) !== null;
+    picture.scenery = sceneryFor(picture.track, who, subject.ties.peek(), index, isMoving);
     picture.selected = selected.peek();
     picture.hovered = view.hovered.peek();
     picture.orbit = eye.orbit.peek();
@@ -121,6 +148,13 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     needs.ground = false;
     needs.cast = false;
     needs.poses = false;
+  }
+
+  function meet(at: ScreenPoint, slack: number): Picked {
+    const agent = finger(world.bodies(), eye.sight(), at, slack);
+    if (agent !== null) return { kind: "agent", agent };
+    const index = blockAt(eye.sight(), obstacles.peek(), world.obstacleHeight(), at);
+    return index === null ? { kind: "nothing" } : { kind: "obstacle", index };
   }
 
   const steering: Steering = {
@@ -131,7 +165,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
       view.hovered.value = at && finger(world.bodies(), eye.sight(), at, slack);
     },
     pick(at, slack, way) {
-      inputs.onPick(finger(world.bodies(), eye.sight(), at, slack), way);
+      inputs.onPick(meet(at, slack), way);
     },
   };
 
@@ -147,7 +181,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
       resize();
     }),
     effect(() => {
-      void [watch.palette.value, stage.value, obstacles.value, height.value, arrivals.value];
+      void [watch.palette.value, stage.value, obstacles.value, chosen.value, height.value, arrivals.value];
       need("ground");
     }),
     effect(() => {
@@ -156,6 +190,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     }),
     effect(() => {
       void [playback.time.value, show.value, inputs.bodies.value, sizes.value, view.layers.value];
+      void [subject.ties.value, scene.value.minimumDistance];
       need("poses");
     }),
     effect(() => {

@@ -3,12 +3,15 @@ import type { SegmentMotion } from "../../playback/motion";
 import type { Show } from "../../playback/show";
 import type { Cast } from "../cast";
 import type { Palette } from "../palette";
+import type { Scenery } from "../scenery";
 import { createDrops } from "./air";
 import { type BodyKind, createBodies } from "./bodies";
+import { createHulls } from "./hulls";
 import { Instances } from "./instances";
 import { createMarks } from "./marks";
 import { Movement } from "./movement";
 import type { BodySizes } from "./sizes";
+import { createTieLines } from "./tie-lines";
 import { createTrails } from "./trails";
 
 /** Shadows on paper and at night, where there is little to take away. */
@@ -17,16 +20,34 @@ const DARKNESS = { light: 0.2, dark: 0.55 } as const;
 /** Marks of a figure are as wide as a disc of this share of its height. */
 const FIGURE_RADIUS = 0.17;
 
+/** Who belongs together, as it is to be seen: each strength is 0 for not at all. */
+export interface Togetherness {
+  scenery: Scenery;
+  /** How far through the transition. */
+  share: number;
+  /** How firmly ties show, 0..1, beside those of marked agents (1), which show in any case. */
+  tieStrength: number;
+  isMarked: Uint8Array | null;
+  hullAlpha: number;
+  /** Meters about an agent, and between neighbors. */
+  hullReach: number;
+  spacing: number;
+}
+
 /** Everybody of a show, with what lies on the ground around them. */
 export interface Crowd {
   readonly count: number;
   readonly group: Group;
-  /** x, y, z an agent. */
+  /** x, y, z an agent; and apart from each other x, y, and z. */
   readonly place: Float32Array;
+  readonly xy: Float32Array;
+  readonly heights: Float32Array;
   /** Everybody at `time`; allocates nothing. */
   pose(show: Show, time: number, kind: BodyKind, sizes: BodySizes): void;
   /** Trails of `motion` at `time`, of bodies of `radius` meters; none without one. */
   trail(motion: SegmentMotion | null, time: number, strength: number, radius: number): void;
+  /** Ties and hulls among everybody as they were posed last. */
+  relate(how: Readonly<Togetherness>): void;
   paint(palette: Palette, cast: Cast): void;
   choose(agents: ReadonlySet<number>): void;
   dispose(): void;
@@ -39,12 +60,16 @@ export function createCrowd(count: number): Crowd {
   const marks = createMarks(instances);
   const trails = createTrails(instances);
   const drops = createDrops(instances);
+  const hulls = createHulls();
+  const ties = createTieLines();
   const group = new Group();
-  group.add(trails.mesh, marks.mesh, drops.lines, ...bodies.meshes);
+  group.add(hulls.mesh, ties.lines, trails.mesh, marks.mesh, drops.lines, ...bodies.meshes);
   return {
     count,
     group,
     place: instances.place,
+    xy: movement.now,
+    heights: movement.high,
     pose(show, time, kind, sizes) {
       movement.poseInto(show, time, kind, sizes, instances);
       instances.moved(kind === "figures");
@@ -56,12 +81,17 @@ export function createCrowd(count: number): Crowd {
       if (motion && motion.agentCount === count) trails.update(motion, time, radius, strength);
       else trails.mesh.visible = false;
     },
+    relate({ scenery, share, tieStrength, isMarked, hullAlpha, hullReach, spacing }) {
+      ties.update(scenery.ties, instances.place, share, tieStrength, isMarked);
+      hulls.update(scenery.hulls, instances.place, hullReach, spacing, hullAlpha);
+    },
     paint(palette, { colors }) {
       instances.paint(colors);
       const darkness = palette.isDark ? DARKNESS.dark : DARKNESS.light;
       marks.setTheme(new Color(palette.isDark ? "#000000" : palette.ink), darkness, new Color(palette.you));
       bodies.setTheme(palette.isDark);
       drops.setColor(new Color(palette.ink3));
+      ties.setColor(new Color(palette.tie));
       trails.paint(palette.trailAlpha);
     },
     choose: (agents) => instances.choose(agents),
@@ -70,6 +100,8 @@ export function createCrowd(count: number): Crowd {
       marks.dispose();
       trails.dispose();
       drops.dispose();
+      hulls.dispose();
+      ties.dispose();
     },
   };
 }

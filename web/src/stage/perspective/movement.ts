@@ -25,11 +25,13 @@ export interface Poses {
 
 /** Reads where everybody is and how they move out of the show. A pose depends on the time alone, not on how it was reached. */
 export class Movement {
-  private readonly now: Float32Array;
+  /** Where everybody is: x, y an agent, meters. */
+  readonly now: Float32Array;
   private readonly before: Float32Array;
   private readonly after: Float32Array;
-  /** Heights at the same times. */
-  private readonly high: Float32Array;
+  /** How high everybody is, meters. */
+  readonly high: Float32Array;
+  /** Heights at the other times. */
   private readonly highBefore: Float32Array;
   private readonly highAfter: Float32Array;
   private readonly traveled: Float32Array;

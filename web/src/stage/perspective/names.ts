@@ -1,4 +1,3 @@
-import type { Size } from "../camera";
 import type { Cast } from "../cast";
 import { drawPill } from "../layers/pill";
 import type { Palette } from "../palette";
@@ -29,12 +28,10 @@ const at = new Float32Array(3);
 /** Writes the names of who is hovered or selected over their heads; of many selected, none. */
 export function drawNames(
   context: CanvasRenderingContext2D,
-  size: Size,
   look: NamesLook,
   hovered: number | null,
   selected: ReadonlySet<number>,
 ): void {
-  context.clearRect(0, 0, size.width, size.height);
   if (selected.size <= MOST_NAMES) {
     for (const agent of selected) if (agent !== hovered) drawName(context, look, agent);
   }

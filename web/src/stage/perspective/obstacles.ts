@@ -20,9 +20,9 @@ const SOFT_EDGE = 30;
 /** What agents go around, as low blocks. */
 export interface Obstacles {
   readonly group: Group;
-  /** Builds them anew, `height` meters high. */
-  build(obstacles: readonly Obstacle[], height: number): void;
-  setColors(face: Color, edge: Color): void;
+  /** Builds them anew, `height` meters high; the selected one's edges are the person's. */
+  build(obstacles: readonly Obstacle[], height: number, selected: number | null): void;
+  setColors(face: Color, edge: Color, you: Color): void;
   dispose(): void;
 }
 
@@ -31,6 +31,7 @@ export function createObstacles(): Obstacles {
   // Faces give way to their own edges.
   const face = new MeshBasicMaterial({ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   const edge = new LineBasicMaterial();
+  const chosenEdge = new LineBasicMaterial();
   let geometries: BufferGeometry[] = [];
 
   function clear(): void {
@@ -41,23 +42,25 @@ export function createObstacles(): Obstacles {
 
   return {
     group,
-    build(obstacles, height) {
+    build(obstacles, height, selected) {
       clear();
-      for (const { shape } of obstacles) {
+      obstacles.forEach(({ shape }, index) => {
         const block = blockOf(shape, height);
         const edges = new EdgesGeometry(block, SOFT_EDGE);
         geometries.push(block, edges);
-        group.add(new Mesh(block, face), new LineSegments(edges, edge));
-      }
+        group.add(new Mesh(block, face), new LineSegments(edges, index === selected ? chosenEdge : edge));
+      });
     },
-    setColors(faceColor, edgeColor) {
+    setColors(faceColor, edgeColor, you) {
       face.color = faceColor;
       edge.color = edgeColor;
+      chosenEdge.color = you;
     },
     dispose() {
       clear();
       face.dispose();
       edge.dispose();
+      chosenEdge.dispose();
     },
   };
 }

@@ -51,13 +51,19 @@ export class Sight {
 
   /** The place on the ground under a place of the screen; null above the horizon. */
   groundAt(at: ScreenPoint): Point | null {
+    return this.levelAt(at, 0);
+  }
+
+  /** The place under a place of the screen, `height` meters above the ground; null where that plane is not seen from above. */
+  levelAt(at: ScreenPoint, height: number): Point | null {
     const { eye, right, up, forward } = this;
     const across = (at.x - this.middleX) / this.focal;
-    const above = (this.middleY - at.y) / this.focal;
-    const ray = (axis: number) => (forward[axis] ?? 0) + across * (right[axis] ?? 0) + above * (up[axis] ?? 0);
+    const over = (this.middleY - at.y) / this.focal;
+    const ray = (axis: number) => (forward[axis] ?? 0) + across * (right[axis] ?? 0) + over * (up[axis] ?? 0);
     const fall = -ray(2);
-    if (fall <= 1e-6) return null;
-    const reach = (eye[2] ?? 0) / fall;
+    const above = (eye[2] ?? 0) - height;
+    if (fall <= 1e-6 || above <= 0) return null;
+    const reach = above / fall;
     return [(eye[0] ?? 0) + ray(0) * reach, (eye[1] ?? 0) + ray(1) * reach];
   }
 }

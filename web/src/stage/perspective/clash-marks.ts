@@ -1,0 +1,51 @@
+import type { Units } from "../../document/scene";
+import { lengthWithUnit } from "../../document/units";
+import type { Size } from "../camera";
+import type { ClashFinder } from "../clashes";
+import { drawClashDistance, drawClashRing, PILLS } from "../layers/clash-mark";
+import type { NamesLook } from "./names";
+
+/** No ring is smaller, CSS pixels: from far away a clash is still seen. */
+const LEAST_REACH = 9;
+/** A ring leaves room about a body's feet, in radii of its mark. */
+const ROOM = 1.4;
+/** Seen along the ground a ring is still no line. */
+const FLATTEST = 0.12;
+
+/** The middle of the pair at hand. */
+const at = new Float32Array(3);
+
+/** Level rings about the feet of those who are too close, and the distance of the worst, as on the plan. */
+export function drawClashMarks(
+  context: CanvasRenderingContext2D,
+  size: Size,
+  look: NamesLook,
+  clashes: ClashFinder,
+  minimum: number,
+  units: Units,
+): void {
+  const { palette, sight } = look;
+  const flatness = Math.max(FLATTEST, -(sight.forward[2] ?? 0));
+  for (let k = clashes.count - 1; k >= 0; k -= 1) {
+    const reach = ringAt(look, clashes, k, minimum);
+    if (reach > 0) drawClashRing(context, palette, at[0] ?? 0, at[1] ?? 0, reach, reach * flatness);
+  }
+  let pills = 0;
+  for (let k = 0; k < clashes.count && pills < PILLS; k += 1) {
+    const reach = ringAt(look, clashes, k, minimum);
+    if (reach === 0) continue;
+    const words = lengthWithUnit(clashes.found[k]?.distance ?? 0, units);
+    if (drawClashDistance(context, palette, size, at[0] ?? 0, at[1] ?? 0, reach, words, pills)) pills += 1;
+  }
+}
+
+/** Fills `at` with the middle of the `k`-th clash; answers how far its ring reaches, 0 behind the eye. */
+function ringAt({ bodies, sight }: NamesLook, clashes: ClashFinder, k: number, minimum: number): number {
+  const { place, radius } = bodies;
+  const { a = 0, b = 0 } = clashes.found[k] ?? {};
+  const middle = (axis: number) => ((place[3 * a + axis] ?? 0) + (place[3 * b + axis] ?? 0)) / 2;
+  sight.projectInto(middle(0), middle(1), middle(2), at, 0);
+  const depth = at[2] ?? 0;
+  if (depth === 0) return 0;
+  return Math.max(LEAST_REACH, (Math.max(minimum, ROOM * radius) * sight.focal) / depth);
+}
