@@ -5,12 +5,12 @@
 
 #![forbid(unsafe_code)]
 
-use faer::diag::Diag;
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch};
+mod reduced;
+
 use faer::linalg::matmul::matmul;
-use faer::prelude::default;
-use faer::{Accum, ColRef, Mat, MatMut, MatRef, Par, Scale};
+use faer::{Accum, ColRef, Mat, MatMut, MatRef, Par};
+
+pub use reduced::Reduced;
 
 /// A symmetric matrix as eigenvalues, ascending, and orthonormal eigenvectors, a column each.
 pub struct SymmetricEigen {
@@ -25,29 +25,7 @@ pub struct SymmetricEigen {
 /// # Panics
 /// When an entry is not finite: a bug, since the document refuses such numbers.
 pub fn symmetric_eigen(matrix: MatRef<'_, f64>) -> SymmetricEigen {
-    let size = matrix.nrows();
-    // faer's tridiagonalization takes size − 1 reflectors for granted.
-    if size == 0 {
-        return SymmetricEigen { values: Vec::new(), vectors: Mat::zeros(0, 0) };
-    }
-    if size == 1 {
-        return SymmetricEigen { values: vec![matrix[(0, 0)]], vectors: Mat::identity(1, 1) };
-    }
-    // faer's divide and conquer compares entries of the matrix with those of unit vectors, so a matrix far from 1 loses digits
-    // (all of them below 1e-16). A power of two changes no digit itself.
-    let unit = power_of_two_near(largest(matrix));
-    let scaled = matrix * Scale(unit.recip());
-    let mut values = Diag::zeros(size);
-    let mut vectors = Mat::zeros(size, size);
-    let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(size, ComputeEigenvectors::Yes, Par::Seq, default()));
-    self_adjoint_evd(scaled.as_ref(), values.as_mut(), Some(vectors.as_mut()), Par::Seq, MemStack::new(&mut memory), default())
-        .expect("a finite symmetric matrix has an eigendecomposition");
-    SymmetricEigen { values: values.column_vector().iter().map(|value| value * unit).collect(), vectors }
-}
-
-/// 1 for zero.
-fn power_of_two_near(value: f64) -> f64 {
-    if value == 0.0 { 1.0 } else { value.log2().round().clamp(-1000.0, 1000.0).exp2() }
+    Reduced::of(matrix).eigen()
 }
 
 /// left · right.
@@ -100,18 +78,25 @@ pub fn skew_part(matrix: MatRef<'_, f64>) -> Mat<f64> {
 
 #[cfg(test)]
 mod tests {
+    use faer::Scale;
+
     use super::*;
 
-    #[test]
-    fn eigenvectors_are_as_good_at_every_scale() {
+    /// Entries from −½ to ½.
+    pub(crate) fn random_symmetric(size: usize) -> Mat<f64> {
         let mut state = 1_u64;
         let mut next = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
         };
+        symmetric_part(Mat::from_fn(size, size, |_, _| next()).as_ref())
+    }
+
+    #[test]
+    fn eigenvectors_are_as_good_at_every_scale() {
         // 200 is above the size where faer divides and conquers.
         for size in [1, 2, 3, 40, 200] {
-            let random = symmetric_part(Mat::from_fn(size, size, |_, _| next()).as_ref());
+            let random = random_symmetric(size);
             for scale in [1e-160, 1e-30, 1e-10, 1e-3, 1.0, 1e5, 1e150] {
                 let matrix = &random * Scale(scale);
                 let SymmetricEigen { values, vectors } = symmetric_eigen(matrix.as_ref());

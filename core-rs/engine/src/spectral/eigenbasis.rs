@@ -4,7 +4,41 @@ use faer::{Mat, MatRef};
 use glam::DVec3;
 
 use crate::formation::Formation;
-use eigenform_dense::symmetric_eigen;
+use eigenform_dense::Reduced;
+
+/// The eigenvalues of a Laplacian, and half of the work toward its modes: what is enough to see whether eigenvalues repeat.
+#[derive(Clone, Debug)]
+pub(crate) struct Spectrum {
+    eigenvalues: Vec<f64>,
+    reduced: Reduced,
+}
+
+impl Spectrum {
+    /// The spectrum of an n × n Laplacian (symmetric, rows summing to zero), in O(n³).
+    pub(crate) fn of(laplacian: MatRef<'_, f64>) -> Self {
+        let reduced = Reduced::of(without_constant(laplacian).as_ref());
+        let eigenvalues = with_constant(laplacian.nrows(), &reduced.eigenvalues());
+        Self { eigenvalues, reduced }
+    }
+
+    /// As those of [`Eigenbasis::eigenvalues`].
+    pub(crate) fn eigenvalues(&self) -> &[f64] {
+        &self.eigenvalues
+    }
+
+    /// The other half, in O(n³).
+    pub(crate) fn basis(&self) -> Eigenbasis {
+        let eigen = self.reduced.eigen();
+        let modes = if self.eigenvalues.is_empty() { eigen.vectors } else { over_agents(eigen.vectors.as_ref()) };
+        Eigenbasis { eigenvalues: with_constant(self.eigenvalues.len(), &eigen.values), modes }
+    }
+}
+
+/// The constant mode's 0 and the eigenvalues beside it; none for nobody.
+fn with_constant(agent_count: usize, others: &[f64]) -> Vec<f64> {
+    // The Laplacian is positive semidefinite; what round-off leaves below zero is zero.
+    std::iter::once(0.0).chain(others.iter().map(|value| value.max(0.0))).take(agent_count).collect()
+}
 
 /// A row's sum below this, of its diagonal, is round-off: 5,000 terms leave less than a thousandth of it.
 const ROUND_OFF: f64 = 1e-9;
@@ -21,14 +55,7 @@ pub struct Eigenbasis {
 impl Eigenbasis {
     /// The eigenbasis of an n × n Laplacian (symmetric, rows summing to zero or above) on the complement of the constant, in O(n³).
     pub fn of(laplacian: MatRef<'_, f64>) -> Self {
-        let agent_count = laplacian.nrows();
-        if agent_count == 0 {
-            return Self { eigenvalues: Vec::new(), modes: Mat::zeros(0, 0) };
-        }
-        let eigen = symmetric_eigen(without_constant(laplacian).as_ref());
-        // The Laplacian is positive semidefinite; what round-off leaves below zero is zero.
-        let eigenvalues = std::iter::once(0.0).chain(eigen.values.iter().map(|value| value.max(0.0))).collect();
-        Self { eigenvalues, modes: over_agents(eigen.vectors.as_ref()) }
+        Spectrum::of(laplacian).basis()
     }
 
     /// How many agents it spans.
@@ -69,6 +96,9 @@ impl Eigenbasis {
 /// L u is the first column of L and h times the sums of the rows: zero, save where an agent is tied to what does not move.
 fn without_constant(laplacian: MatRef<'_, f64>) -> Mat<f64> {
     let agent_count = laplacian.nrows();
+    if agent_count == 0 {
+        return Mat::zeros(0, 0);
+    }
     let h = 1.0 / (agent_count as f64).sqrt();
     let scale = 1.0 / (1.0 + h);
     let sums = row_sums(laplacian);

@@ -2,7 +2,7 @@
 
 use faer::Mat;
 
-use super::eigenbasis::Eigenbasis;
+use super::eigenbasis::Spectrum;
 use super::matching::Pairing;
 use super::pair::Pair;
 use crate::choice::Order;
@@ -38,5 +38,5 @@ impl ModeMatch {
 pub(crate) fn eigenvalues_between(source: &Mat<f64>, target: &Mat<f64>, steps: usize) -> Vec<Vec<f64>> {
     let at =
         |t: f64| Mat::from_fn(source.nrows(), source.ncols(), |row, column| (1.0 - t) * source[(row, column)] + t * target[(row, column)]);
-    (0..=steps).map(|step| Eigenbasis::of(at(step as f64 / steps as f64).as_ref()).eigenvalues().to_vec()).collect()
+    (0..=steps).map(|step| Spectrum::of(at(step as f64 / steps as f64).as_ref()).eigenvalues().to_vec()).collect()
 }

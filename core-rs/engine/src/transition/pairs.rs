@@ -10,7 +10,7 @@ use super::planner::Planner;
 use crate::adjacency::Adjacency;
 use crate::choice::{Choice, Order};
 use crate::recent::Same;
-use crate::spectral::{Eigenbasis, Matched, ModeMatch, Pair, Pairing, Turn, is_degenerate, nearness, reversals, with_tie_break};
+use crate::spectral::{Eigenbasis, Matched, ModeMatch, Pair, Pairing, Spectrum, Turn, is_degenerate, nearness, reversals, with_tie_break};
 
 impl Planner {
     /// The eigenbasis of a graph, in one go.
@@ -37,18 +37,39 @@ impl Planner {
 impl Planner {
     /// The eigenbasis of a graph.
     pub(super) fn basis(&mut self, adjacency: &Arc<Adjacency>) -> Option<Arc<Eigenbasis>> {
-        self.basis_of(Recipe::Basis(Same(adjacency.clone())), || Eigenbasis::of(adjacency.laplacian().as_ref()))
+        let recipe = Recipe::Basis(Same(adjacency.clone()));
+        if let Some(Piece::Basis(known)) = self.known(&recipe) {
+            return Some(known);
+        }
+        let spectrum = self.spectrum(adjacency)?;
+        self.basis_of(recipe, || spectrum.basis())
     }
 
-    /// The eigenbasis of the mean graph: two eigenproblems where its eigenvalues repeat, else one.
+    /// The eigenvalues of a graph.
+    fn spectrum(&mut self, adjacency: &Arc<Adjacency>) -> Option<Arc<Spectrum>> {
+        let recipe = Recipe::Spectrum(Same(adjacency.clone()));
+        if let Some(Piece::Spectrum(known)) = self.known(&recipe) {
+            return Some(known);
+        }
+        let spectrum = Arc::new(Spectrum::of(adjacency.laplacian().as_ref()));
+        self.keep(recipe, Piece::Spectrum(spectrum), adjacency.agent_count(), 1);
+        None
+    }
+
+    /// Whether a graph has equal eigenvalues.
+    fn is_degenerate(&mut self, adjacency: &Arc<Adjacency>) -> Option<bool> {
+        Some(is_degenerate(self.spectrum(adjacency)?.eigenvalues()))
+    }
+
+    /// The eigenbasis of the mean graph, ties between equal eigenvalues decided.
     pub(super) fn mean_basis(&mut self, couple: &Couple) -> Option<Arc<Eigenbasis>> {
         self.basis_of(Recipe::Mean(couple.clone()), || {
             let mut mean = couple.source.adjacency.laplacian();
             mean += couple.target.adjacency.laplacian();
             mean *= faer::Scale(0.5);
-            let basis = Eigenbasis::of(mean.as_ref());
-            if !is_degenerate(basis.eigenvalues()) {
-                return basis;
+            let spectrum = Spectrum::of(mean.as_ref());
+            if !is_degenerate(spectrum.eigenvalues()) {
+                return spectrum.basis();
             }
             let [source, target] = couple.formations();
             Eigenbasis::of(with_tie_break(&mean, None, &nearness(source, target)).as_ref())
@@ -61,10 +82,10 @@ impl Planner {
         if let Some(Piece::Pair(known)) = self.known(&recipe) {
             return Some(known);
         }
-        let source = self.basis(&couple.source.adjacency)?;
-        let target = self.basis(&couple.target.adjacency)?;
         let formations = couple.formations();
-        let pair = if is_degenerate(source.eigenvalues()) || is_degenerate(target.eigenvalues()) {
+        // Large graphs mostly have equal eigenvalues, and then neither basis is worth its price.
+        let has_ties = self.is_degenerate(&couple.source.adjacency)? || self.is_degenerate(&couple.target.adjacency)?;
+        let pair = if has_ties {
             let laplacians = || (couple.source.adjacency.laplacian(), couple.target.adjacency.laplacian());
             let broken = |own: Mat<f64>, other: Mat<f64>| {
                 Eigenbasis::of(with_tie_break(&own, Some(&other), &nearness(formations[0], formations[1])).as_ref())
@@ -79,6 +100,8 @@ impl Planner {
             })?;
             Pair::of_tie_broken(formations, source, &target)
         } else {
+            let source = self.basis(&couple.source.adjacency)?;
+            let target = self.basis(&couple.target.adjacency)?;
             Pair::of_simple(formations, source, target)
         };
         self.keep(recipe, Piece::Pair(Arc::new(pair)), formations[0].agent_count(), 2);

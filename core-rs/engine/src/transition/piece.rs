@@ -6,11 +6,13 @@ use super::chain::Couple;
 use crate::adjacency::Adjacency;
 use crate::choice::Order;
 use crate::recent::Same;
-use crate::spectral::{Eigenbasis, Matched, Pair, Pairing, Planes};
+use crate::spectral::{Eigenbasis, Matched, Pair, Pairing, Planes, Spectrum};
 
 /// How a piece is made. Its ingredients are shared objects compared by identity, and every piece is an ingredient of others.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Recipe {
+    /// The eigenvalues of a graph.
+    Spectrum(Same<Adjacency>),
     /// The eigenbasis of a graph.
     Basis(Same<Adjacency>),
     /// The source's eigenbasis with the tie-break of both mixed in.
@@ -42,6 +44,7 @@ pub(super) enum Recipe {
 /// A piece of a plan.
 #[derive(Clone, Debug)]
 pub(super) enum Piece {
+    Spectrum(Arc<Spectrum>),
     Basis(Arc<Eigenbasis>),
     Pair(Arc<Pair>),
     Pairing(Arc<Pairing>),

@@ -138,8 +138,8 @@ mod tests {
     fn a_second_choice_starts_where_the_first_left_off() {
         let mut planner = Planner::default();
         let chain = Chain::between(spiral(0.7), spiral(1.9));
-        // Two eigenbases, the pair, the pairing, the planes, the transition.
-        assert_eq!(steps(&mut planner, &chain, &way(Order::Greedy, 0.0, Alignment::None)), 6);
+        // Two spectra, two eigenbases, the pair, the pairing, the planes, the transition.
+        assert_eq!(steps(&mut planner, &chain, &way(Order::Greedy, 0.0, Alignment::None)), 8);
         assert_eq!(steps(&mut planner, &chain, &way(Order::Greedy, 0.5, Alignment::None)), 1);
         assert_eq!(steps(&mut planner, &chain, &way(Order::Greedy, 0.5, Alignment::Procrustes)), 1);
         assert_eq!(steps(&mut planner, &chain, &way(Order::Hungarian, 0.5, Alignment::Procrustes)), 3);
@@ -151,6 +151,6 @@ mod tests {
         let [first, second, third] = [0.7, 1.9, 1.1].map(spiral);
         let ways = way(Order::Greedy, 0.5, Alignment::Pca);
         steps(&mut planner, &Chain::between(first, second.clone()), &ways);
-        assert_eq!(steps(&mut planner, &Chain::between(second, third), &ways), 5);
+        assert_eq!(steps(&mut planner, &Chain::between(second, third), &ways), 6);
     }
 }
