@@ -35,7 +35,7 @@ export function crossingBlocks(): Scene {
   return { ...show, minimumDistance: 0.5, tracks: [{ ...track, keyframes, segments }] };
 }
 
-/** A show whose agents are strewn anew at every keyframe, `seconds` apart. */
+/** A show whose agents are strewn anew at every keyframe, `seconds` apart, and stop there. */
 export function strewnShow(agentCount: number, keyframeCount: number, seconds: number, method: MethodName): Scene {
   const scene = emptyScene();
   const keyframes = Array.from({ length: keyframeCount }, (_, k) => keyframeAt(k * seconds, strewn(agentCount, k + 1)));
@@ -54,7 +54,7 @@ export function strewnShow(agentCount: number, keyframeCount: number, seconds: n
     nodes: [],
   } as const;
   const segments = Array.from({ length: keyframeCount - 1 }, () => segment);
-  return { ...scene, tracks: [{ ...mainTrack(scene), agents, keyframes, segments }] };
+  return { ...scene, join: "separate", tracks: [{ ...mainTrack(scene), agents, keyframes, segments }] };
 }
 
 /** The same show so long that it takes `frameCount` frames, joined smoothly and kept apart: planned, avoided, measured. */
