@@ -4,15 +4,9 @@ import { root, run, step } from "./run.mjs";
 import { hashOf, once } from "./stamp.mjs";
 
 const PACKAGE = "web/src/engine/pkg";
-const ENGINE_SOURCES = [
-  "core-rs/Cargo.toml",
-  "core-rs/Cargo.lock",
-  "core-rs/.cargo/",
-  "core-rs/dense/",
-  "core-rs/engine/",
-  "core-rs/wasm/",
-  "core-rs/xtask/",
-];
+const ENGINE_SOURCES = ["core-rs/"];
+/** What of it is not in the browser's engine. */
+const NOT_ENGINE = ["target", "bench", "cli", "fuzz", "engine/tests"].map((folder) => `core-rs/${folder}`);
 const PAGE_SOURCES = ["package.json", "package-lock.json", "vite.config.ts", "tsconfig.json", "public/", "web/"];
 
 const isThere = (path) =>
@@ -23,7 +17,7 @@ const isThere = (path) =>
 
 /** The engine's wasm package for the page. */
 export async function buildEngine(toolchain) {
-  const hash = await hashOf([...ENGINE_SOURCES, "scripts/steps/build.mjs"], [toolchain], ["core-rs/engine/tests"]);
+  const hash = await hashOf([...ENGINE_SOURCES, "scripts/steps/build.mjs"], [toolchain], NOT_ENGINE);
   const results = () => isThere(join(PACKAGE, "engine_bg.wasm"));
   const isNew = await once("engine", hash, results, async () => {
     await step("Compiling the engine for the browser (minutes the first time)", () =>
