@@ -20,7 +20,10 @@ export const front: Front = {
 
 function exchangedPlanning(planning: Planning): Planning {
   if (planning.kind === "ready") return { ...planning, plan: exchangedPlan(planning.plan) };
-  if (planning.kind === "planning" && planning.stale) return { ...planning, stale: exchangedPlan(planning.stale) };
+  if (planning.kind === "planning") {
+    const motion = planning.motion && exchangedMotion(planning.motion);
+    return { ...planning, motion, stale: planning.stale && exchangedPlan(planning.stale) };
+  }
   return planning;
 }
 

@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use eigenform::adjacency::Adjacency;
 use eigenform::formation::Formation;
+use eigenform::motion::Motion;
 use eigenform::perform::{Performed, Performer, SegmentJob, Step};
 use eigenform::scene::Scene;
 use eigenform::scene::recording::Recording;
@@ -16,7 +17,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use desk::{Refusal, encode};
 
-/// One engine: a scene at hand, formations by the page's numbers, caches, and at most one job.
+/// One engine: a scene at hand, formations by the page's numbers, caches, and a job a segment under work.
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Engine {
@@ -24,7 +25,9 @@ pub struct Engine {
     scene: Option<Scene>,
     rest: String,
     performer: Performer,
-    job: Option<(usize, SegmentJob)>,
+    jobs: BTreeMap<usize, SegmentJob>,
+    /// The segment worked on last.
+    at: Option<usize>,
     done: Option<Arc<Performed>>,
     recording: Option<Recording>,
 }
@@ -82,17 +85,18 @@ impl Engine {
         Ok(())
     }
 
-    /// Works on a segment for a while; answers how far it is, 1 when it is done and can be read. `held`: JSON list, by segment, of what
-    /// to use although it says auto, or null.
+    /// Works on a segment for a while, whatever else is under work; answers how far it is, 1 when it is done and all of it can be read.
+    /// `held`: JSON list, by segment, of what to use although it says auto, or null.
     pub fn step(&mut self, segment: usize, held: Option<String>) -> Result<f64, Refusal> {
         let scene = at_hand(self.scene.as_ref());
-        let mut job = match self.job.take() {
-            Some((index, job)) if index == segment => job,
-            _ => self.performer.begin(scene, segment, &held.map_or_else(Vec::new, |text| desk::choices(&text))),
+        self.at = Some(segment);
+        let mut job = match self.jobs.remove(&segment) {
+            Some(job) => job,
+            None => self.performer.begin(scene, segment, &held.map_or_else(Vec::new, |text| desk::choices(&text))),
         };
         match job.step(&mut self.performer)? {
             Step::Progress(progress) => {
-                self.job = Some((segment, job));
+                self.jobs.insert(segment, job);
                 Ok(progress.min(0.999))
             }
             Step::Done(performed) => {
@@ -102,24 +106,29 @@ impl Engine {
         }
     }
 
-    /// Drops the job under way.
+    /// Whether the motion of the segment worked on last is settled, so that times, positions and heights can be read, measured or not.
+    pub fn is_moved(&self) -> bool {
+        self.motion().is_some()
+    }
+
+    /// Drops the jobs under way.
     pub fn stop(&mut self) {
-        self.job = None;
+        self.jobs.clear();
     }
 
-    /// Sample times of the segment just done, scene seconds.
+    /// Sample times of the segment just moved, scene seconds.
     pub fn segment_times(&self) -> Vec<f64> {
-        self.done().motion.times().to_vec()
+        self.moved().times().to_vec()
     }
 
-    /// Positions of the segment just done: x, y an agent, sample by sample.
+    /// Positions of the segment just moved: x, y an agent, sample by sample.
     pub fn segment_positions(&self) -> Vec<f32> {
-        self.done().motion.positions().iter().flat_map(|p| [p.x as f32, p.y as f32]).collect()
+        self.moved().positions().iter().flat_map(|p| [p.x as f32, p.y as f32]).collect()
     }
 
-    /// Heights of the segment just done, one an agent, sample by sample; nothing on the plane.
+    /// Heights of the segment just moved, one an agent, sample by sample; nothing on the plane.
     pub fn segment_heights(&self) -> Option<Vec<f32>> {
-        self.done().motion.heights().map(|heights| heights.iter().map(|z| *z as f32).collect())
+        self.moved().heights().map(|heights| heights.iter().map(|z| *z as f32).collect())
     }
 
     /// Curves of the segment just done, one value a sample: clearance, distortion, turning, top speed, path length.
@@ -195,6 +204,18 @@ impl Engine {
 impl Engine {
     fn recording(&self) -> &Recording {
         self.recording.as_ref().expect("a recording is opened before it is read")
+    }
+
+    /// Of the segment worked on last: of its job, or of what the job came to.
+    fn motion(&self) -> Option<&Motion> {
+        match self.at.and_then(|segment| self.jobs.get(&segment)) {
+            Some(job) => job.motion(),
+            None => self.done.as_ref().map(|done| &done.motion),
+        }
+    }
+
+    fn moved(&self) -> &Motion {
+        self.motion().expect("a segment is moved before it is read")
     }
 
     fn done(&self) -> &Performed {

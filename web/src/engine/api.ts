@@ -156,8 +156,12 @@ export interface SegmentPlan {
 
 export type Planning =
   | {
-      readonly kind: "planning" /** 0..1 */;
-      readonly progress: number /** The last motion of this segment, while there is none of the new scene. */;
+      readonly kind: "planning";
+      /** 0..1 */
+      readonly progress: number;
+      /** What moves the agents meanwhile: the new motion before its numbers are there, else the last one. */
+      readonly motion: SegmentMotion | null;
+      /** The last motion with its numbers, while there are none of the new scene. */
       readonly stale: SegmentPlan | null;
     }
   | { readonly kind: "ready"; readonly plan: SegmentPlan }

@@ -1,11 +1,12 @@
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { mainTrack, type Scene } from "../document/scene";
-import { SegmentMotion } from "../playback/motion";
-import type { Planner, Planning, SegmentPlan, TieList } from "./api";
+import type { SegmentMotion } from "../playback/motion";
+import type { Planner, Planning, TieList } from "./api";
 import type { Crew } from "./crew";
 import { areSame, type Inputs, nearestFirst, segmentInputs, tieInputs } from "./inputs";
 import type { WorkerLink } from "./link";
-import type { PlanMessage, PlanRequest, SegmentData } from "./protocol";
+import type { PlanMessage, PlanRequest } from "./protocol";
+import { meanwhile, motionFrom, movesAll, numbersFrom, planOf } from "./results";
 
 /** A worker that has not heard a cancel after this many milliseconds is in one long step: it is replaced. */
 const CANCEL_PATIENCE = 300;
@@ -32,12 +33,14 @@ interface Errand {
   readonly held: PlanRequest["held"];
   readonly segments: ReadonlyMap<number, Inputs>;
   readonly ties: ReadonlyMap<number, Inputs>;
+  /** Motions whose numbers are to come. */
+  readonly moved: Map<number, SegmentMotion>;
 }
 
 /** A segment that takes the engine down with it so many times is not tried again by itself. */
 const CRASH_LIMIT = 2;
 
-const WAITING: Planning = { kind: "planning", progress: 0, stale: null };
+const WAITING: Planning = { kind: "planning", progress: 0, motion: null, stale: null };
 
 export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs): Planner {
   const segments = signal<readonly Planning[]>([]);
@@ -67,7 +70,7 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
       const inputs = segmentInputs(to, index);
       const isFinal = isDragging.peek() || !known?.isProvisional;
       if (known && isFinal && areSame(known.inputs, inputs)) return known;
-      return { inputs, result: { kind: "planning", progress: 0, stale: usable(known?.result, to) } };
+      return { inputs, result: { kind: "planning", progress: 0, ...meanwhile(known?.result, to) } };
     });
     knownTies = keyframes.map((_, index) => {
       const known = knownTies[index];
@@ -124,6 +127,7 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
       held,
       segments: new Map(open.map((index) => [index, segmentInputs(to, index)])),
       ties: new Map(unknownTies.map((index) => [index, tieInputs(to, index)])),
+      moved: new Map(),
     };
     const request: PlanRequest = {
       scene: link.ledger.message(to),
@@ -194,21 +198,36 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
       case "unplanned":
         settle(message.segment, inputs, { kind: "failed", problem: message.problem });
         break;
-      case "segment":
+      case "moved": {
+        const motion = motionFrom(message.motion);
+        of.moved.set(message.segment, motion);
+        // Dragged on since, it is shown until the newest arrives.
+        if (known.result.kind === "planning" && movesAll(motion, scene.peek())) {
+          replace(message.segment, { ...known.result, motion });
+        }
+        break;
+      }
+      case "measured": {
+        const motion = of.moved.get(message.segment);
+        if (!motion) return;
+        of.moved.delete(message.segment);
+        const plan = { motion, ...numbersFrom(message.numbers, motion) };
         if (areSame(known.inputs, inputs)) {
           // Its neighbors' choices bend it where they meet.
           const isHeld = [-1, 0, 1].some((beside) => Boolean(of.held[message.segment + beside]));
-          settle(message.segment, inputs, { kind: "ready", plan: planFrom(message.data) }, isHeld);
-        } else if (known.result.kind === "planning") {
-          // Dragged on since: shown until the newest arrives.
-          const result: Planning = {
-            ...known.result,
-            stale: usable({ kind: "ready", plan: planFrom(message.data) }, scene.peek()),
-          };
-          knownSegments = knownSegments.with(message.segment, { inputs: known.inputs, result });
+          settle(message.segment, inputs, { kind: "ready", plan }, isHeld);
+        } else if (known.result.kind === "planning" && movesAll(motion, scene.peek())) {
+          replace(message.segment, { ...known.result, stale: plan });
         }
         break;
+      }
     }
+  }
+
+  /** Another state of what is still to be planned. */
+  function replace(index: number, result: Planning): void {
+    const known = knownSegments[index];
+    if (known) knownSegments = knownSegments.with(index, { inputs: known.inputs, result });
   }
 
   effect(() => {
@@ -245,33 +264,6 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
           : known,
       );
       refresh();
-    },
-  };
-}
-
-function planOf(result: Planning): SegmentPlan | null {
-  if (result.kind === "ready") return result.plan;
-  return result.kind === "planning" ? result.stale : null;
-}
-
-/** The last motion serves meanwhile only if it moves the same agents. */
-function usable(result: Planning | undefined, scene: Scene): SegmentPlan | null {
-  const plan = result ? planOf(result) : null;
-  return plan && plan.motion.agentCount === mainTrack(scene).agents.length ? plan : null;
-}
-
-function planFrom({ times, xy, heights, curves, report }: SegmentData): SegmentPlan {
-  const sampleCount = times.length;
-  const curve = (row: number): Float32Array => curves.subarray(row * sampleCount, (row + 1) * sampleCount);
-  return {
-    motion: new SegmentMotion(times, xy, sampleCount === 0 ? 0 : xy.length / 2 / sampleCount, heights),
-    report,
-    curves: {
-      clearance: curve(0),
-      distortion: curve(1),
-      turning: curve(2),
-      topSpeed: curve(3),
-      pathLength: curve(4),
     },
   };
 }

@@ -92,7 +92,9 @@ export type Answer =
 /** What a plan request brings, one by one; `plan` is the id of the request. */
 export type PlanMessage =
   | { readonly kind: "progress"; readonly plan: number; readonly segment: number; readonly progress: number }
-  | { readonly kind: "segment"; readonly plan: number; readonly segment: number; readonly data: SegmentData }
+  /** Always before the numbers. */
+  | { readonly kind: "moved"; readonly plan: number; readonly segment: number; readonly motion: MotionData }
+  | { readonly kind: "measured"; readonly plan: number; readonly segment: number; readonly numbers: NumbersData }
   | { readonly kind: "unplanned"; readonly plan: number; readonly segment: number; readonly problem: EngineProblem }
   | {
       readonly kind: "ties";
@@ -103,12 +105,15 @@ export type PlanMessage =
     }
   | { readonly kind: "idle"; readonly plan: number };
 
-export interface SegmentData {
+export interface MotionData {
   readonly times: Float64Array;
   /** x, y of every agent, sample by sample. */
   readonly xy: Float32Array;
   /** z of every agent, sample by sample; null in a plane scene. */
   readonly heights: Float32Array | null;
+}
+
+export interface NumbersData {
   /** Five curves of one value a sample, in the order of `SegmentCurves`. */
   readonly curves: Float32Array;
   readonly report: SegmentReport;

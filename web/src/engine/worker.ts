@@ -1,12 +1,25 @@
 import type { EngineProblem, RecordingData, SegmentReport } from "./api";
 import init, { Engine } from "./pkg/engine.js";
-import type { Answer, CallName, Calls, OpenedMessage, PlanRequest, Question, SceneMessage } from "./protocol";
+import type { Answer, CallName, Calls, OpenedMessage, Question, SceneMessage } from "./protocol";
 
 /** One engine in a worker: takes questions between the steps of the work at hand. */
 
+/** Measuring waits for the motions of so many segments: one moved agent changes up to six. */
+const MOVED_TOGETHER = 6;
+
+interface Plan {
+  readonly id: number;
+  readonly held: string | undefined;
+  readonly ties: number[];
+  /** Segments to move, in order. */
+  readonly unmoved: number[];
+  /** Segments to measure, in order. */
+  readonly unmeasured: number[];
+}
+
 let engine: Engine | null = null;
 /** The plan under way; a newer one replaces it between two steps. */
-let plan: { readonly id: number; readonly request: PlanRequest; next: number } | null = null;
+let plan: Plan | null = null;
 let isTurning = false;
 
 function post(answer: Answer, transfer: Transferable[] = []): void {
@@ -66,7 +79,9 @@ const handlers: Handlers = {
   plan: (request, to, id) => {
     plan = null;
     take(request.scene, to);
-    plan = { id, request, next: 0 };
+    const { ties, order, held } = request;
+    const heldText = held.some(Boolean) ? JSON.stringify(held) : undefined;
+    plan = { id, held: heldText, ties: [...ties], unmoved: [...order], unmeasured: [] };
     void turn();
     return null;
   },
@@ -101,32 +116,37 @@ async function turn(): Promise<void> {
   }
 }
 
-/** One step of the plan: ties first, they are quick; then segments in the wanted order. */
-function advance(at: NonNullable<typeof plan>, to: Engine): void {
-  const { ties, order, held } = at.request;
-  const keyframe = ties[at.next];
+/** One step of the plan: ties first, they are quick; then segments in the wanted order, a few motions before their numbers. */
+function advance(at: Plan, to: Engine): void {
+  const keyframe = at.ties.shift();
   if (keyframe !== undefined) {
-    at.next += 1;
     sendTies(at.id, keyframe, to);
     return;
   }
-  const segment = order[at.next - ties.length];
+  const isMoving = at.unmoved.length > 0 && at.unmeasured.length < MOVED_TOGETHER;
+  const queue = isMoving ? at.unmoved : at.unmeasured;
+  const segment = queue[0];
   if (segment === undefined) {
     plan = null;
     post({ kind: "idle", plan: at.id });
     return;
   }
   try {
-    const progress = to.step(segment, held.some(Boolean) ? JSON.stringify(held) : undefined);
-    if (progress < 1) {
-      post({ kind: "progress", plan: at.id, segment, progress });
-      return;
+    const progress = to.step(segment, at.held);
+    if (isMoving && to.is_moved()) {
+      sendMotion(at.id, segment, to);
+      queue.shift();
+      at.unmeasured.push(segment);
     }
-    at.next += 1;
-    sendSegment(at.id, segment, to);
+    if (progress === 1) {
+      sendNumbers(at.id, segment, to);
+      at.unmeasured.splice(at.unmeasured.indexOf(segment), 1);
+    } else {
+      post({ kind: "progress", plan: at.id, segment, progress });
+    }
   } catch (error) {
+    queue.shift();
     post({ kind: "unplanned", plan: at.id, segment, problem: problemOf(error) });
-    at.next += 1;
   }
 }
 
@@ -141,15 +161,18 @@ function sendTies(id: number, keyframe: number, to: Engine): void {
   }
 }
 
-function sendSegment(id: number, segment: number, to: Engine): void {
+function sendMotion(id: number, segment: number, to: Engine): void {
   const times = to.segment_times();
   const xy = to.segment_positions();
   const heights = to.segment_heights() ?? null;
+  const transfer = [times.buffer, xy.buffer, ...(heights ? [heights.buffer] : [])];
+  post({ kind: "moved", plan: id, segment, motion: { times, xy, heights } }, transfer);
+}
+
+function sendNumbers(id: number, segment: number, to: Engine): void {
   const curves = to.segment_curves();
   const report = JSON.parse(to.segment_report()) as SegmentReport;
-  const data = { times, xy, heights, curves, report };
-  const transfer = [times.buffer, xy.buffer, curves.buffer, ...(heights ? [heights.buffer] : [])];
-  post({ kind: "segment", plan: id, segment, data }, transfer);
+  post({ kind: "measured", plan: id, segment, numbers: { curves, report } }, [curves.buffer]);
 }
 
 function crash(error: unknown): void {

@@ -57,7 +57,7 @@ function readyMotion(planning: Planning): SegmentMotion | null {
 }
 
 function lastMotion(planning: Planning): SegmentMotion | null {
-  if (planning.kind === "planning") return planning.stale?.motion ?? null;
+  if (planning.kind === "planning") return planning.motion;
   return readyMotion(planning);
 }
 

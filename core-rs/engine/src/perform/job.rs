@@ -33,8 +33,8 @@ const MOVING_SHARE: f64 = 0.1;
 /// How much is keeping agents apart; the rest is measuring.
 const AVOIDING_SHARE: f64 = 0.1;
 
-/// Steps that one spectral choice takes: eigenbases, pairing, rotation planes.
-const TYPICAL_STEPS: f64 = 6.0;
+/// Steps that one spectral choice takes: spectra, eigenbases, pairing, rotation planes.
+const TYPICAL_STEPS: f64 = 8.0;
 
 /// What one choice still to make counts for: more than the ways that auto tries, so that progress never falls.
 const CHOICE_STEPS: f64 = 12.0;
@@ -81,6 +81,8 @@ enum Stage {
     Moving(Plan, Clock, Vec<f64>, Sampling),
     /// Whoever is too near is kept apart.
     Avoiding(Plan, Clock, Sampling, Box<Avoiding>),
+    /// The motion is settled, its numbers are to come.
+    Measuring(Box<Attempt>),
 }
 
 struct Choosing {
@@ -117,6 +119,20 @@ impl SegmentJob {
 
     pub(super) fn new(scene: Scene, brief: Brief) -> Self {
         Self(Phase::Work(Box::new(Work { scene, brief, stage: Stage::Tying(Vec::new()), resorts: Resorts::default(), steps: 0 })))
+    }
+
+    /// The motion, as soon as it is settled: it can be played before it is measured.
+    pub fn motion(&self) -> Option<&Motion> {
+        match &self.0 {
+            Phase::Done(performed) => Some(&performed.motion),
+            Phase::Work(work) => {
+                if let Stage::Measuring(attempt) = &work.stage {
+                    Some(&attempt.kept.motion)
+                } else {
+                    None
+                }
+            }
+        }
     }
 
     /// Works for a while: usually some milliseconds, longer where one eigenproblem of many agents is one step.
@@ -164,7 +180,7 @@ impl Work {
                     let guide = Motion::sampled(times, plan.chain.agent_count(), positions, samples.heights.take());
                     match Avoiding::of(&self.brief, &plan.chain, guide) {
                         Ok(avoiding) => Stage::Avoiding(plan, clock, samples, Box::new(avoiding)),
-                        Err(motion) => return Ok(Some(self.finish(Attempt { plan, clock, samples, kept: Kept::as_is(motion) }))),
+                        Err(motion) => Stage::Measuring(Box::new(Attempt { plan, clock, samples, kept: Kept::as_is(motion) })),
                     }
                 }
             }
@@ -174,10 +190,11 @@ impl Work {
                     return Ok(None);
                 };
                 match self.resorts.after(Attempt { plan, clock, samples, kept }, &self.brief) {
-                    Next::Keep(attempt) => return Ok(Some(self.finish(*attempt))),
+                    Next::Keep(attempt) => Stage::Measuring(attempt),
                     Next::Try(plan) => Stage::Planning(*plan),
                 }
             }
+            Stage::Measuring(attempt) => return Ok(Some(self.finish(*attempt))),
         };
         Ok(None)
     }
@@ -317,6 +334,7 @@ impl Work {
             Stage::Clocking(_, path) => PLANNING_SHARE + CLOCK_SHARE * path.progress(),
             Stage::Moving(.., samples) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE * samples.progress(),
             Stage::Avoiding(.., avoiding) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + AVOIDING_SHARE * avoiding.progress(),
+            Stage::Measuring(_) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + AVOIDING_SHARE,
         }
     }
 
