@@ -74,7 +74,8 @@ export function traceHull(context: CanvasRenderingContext2D, frame: Frame, shape
   context.beginPath();
   // The bands cover any triangle until their width reaches its limit.
   if (half < 1.1 * spacing) traceInside(context, frame, shape.triangles);
-  for (const agent of shape.agents) {
+  for (let k = 0; k < shape.agents.length; k += 1) {
+    const agent = shape.agents[k] ?? 0;
     const x = points[2 * agent] ?? 0;
     const y = points[2 * agent + 1] ?? 0;
     if (!frame.sees(x, y, half)) continue;

@@ -29,7 +29,7 @@ export function drawPathsToCome(
   for (const { color, agents } of frame.cast.paints) {
     context.strokeStyle = color;
     context.beginPath();
-    for (const agent of agents) tracePath(context, frame, motion, agent);
+    for (let k = 0; k < agents.length; k += 1) tracePath(context, frame, motion, agents[k] ?? 0);
     context.stroke();
   }
   endDashes(context);
@@ -44,7 +44,8 @@ export function drawStraightPaths(context: CanvasRenderingContext2D, frame: Fram
   for (const { color, agents } of frame.cast.paints) {
     context.strokeStyle = color;
     context.beginPath();
-    for (const agent of agents) {
+    for (let k = 0; k < agents.length; k += 1) {
+      const agent = agents[k] ?? 0;
       context.moveTo(frame.screenX(xy[2 * agent] ?? 0), frame.screenY(xy[2 * agent + 1] ?? 0));
       context.lineTo(points[2 * agent] ?? 0, points[2 * agent + 1] ?? 0);
     }

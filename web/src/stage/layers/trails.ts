@@ -116,7 +116,9 @@ export function createTrailsLayer(): DrawTrails {
         context.globalAlpha = stepAlpha(look, step) * strength;
         const from = step * look.bends;
         const to = look.isLayered ? places - 1 : from + look.bends;
-        for (const agent of agents) {
+        // By index: an iterator's answers, one an agent and step, would have to be collected.
+        for (let k = 0; k < agents.length; k += 1) {
+          const agent = agents[k] ?? 0;
           if (isSeen[agent] === 1) fillPiece(context, 4 * agent * places, from, to);
         }
       }

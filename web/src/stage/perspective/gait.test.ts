@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { HEIGHTS } from "./figure";
-import { gaitInto, type Limbs } from "./gait";
+import { gaitsInto, type Limbs } from "./gait";
 
 const REACH = 0.21;
 
@@ -12,7 +12,7 @@ function limbsAt(phase: number, reach = REACH): Limbs {
     rightArm: new Float32Array(4),
     posture: new Float32Array(3),
   };
-  gaitInto(phase, reach, limbs, 0);
+  gaitsInto(Float64Array.of(phase), Float64Array.of(reach), limbs);
   return limbs;
 }
 

@@ -30,12 +30,19 @@ export interface Limbs {
 }
 
 /**
- * Poses one agent's limbs after `phase` strides, each foot reaching `reach` heights in front at most.
+ * Poses everybody's limbs after as many strides as their phase, each foot reaching `reaches` heights in front at most.
  *
  * A stride is four reaches long. A foot on the ground stays where it is while the body goes on; at phase 0 and
  * reach 0 the figure stands. Angles are about the axis to the left: positive is forward for what hangs down.
+ *
+ * All at once: fractions handed over one by one would be boxed, for every agent and frame.
  */
-export function gaitInto(phase: number, reach: number, limbs: Limbs, agent: number): void {
+export function gaitsInto(phases: Float64Array, reaches: Float64Array, limbs: Limbs): void {
+  for (let agent = 0; agent < phases.length; agent += 1)
+    gaitInto(phases[agent] ?? 0, reaches[agent] ?? 0, limbs, agent);
+}
+
+function gaitInto(phase: number, reach: number, limbs: Limbs, agent: number): void {
   footingInto(phase, reach, LEFT);
   footingInto(phase + 0.5, reach, RIGHT);
   const stride = 2 * Math.PI * phase;

@@ -5,7 +5,7 @@ import type { Track } from "../../document/scene";
 import { SegmentMotion } from "../../playback/motion";
 import { Show } from "../../playback/show";
 import type { BodyKind } from "./bodies";
-import { gaitInto } from "./gait";
+import { gaitsInto } from "./gait";
 import { Movement } from "./movement";
 import { shortestTurn } from "./orbit";
 
@@ -70,10 +70,10 @@ function poses(show: Show, time: number, kind: BodyKind = "figures") {
   };
 }
 
-/** What `gaitInto` makes of strides of 1.5 m, of somebody of 1.75 m. */
+/** What `gaitsInto` makes of strides of 1.5 m, of somebody of 1.75 m. */
 function thighsAfter(strides: number): number[] {
   const { limbs } = empty();
-  gaitInto(strides, 1.5 / 4 / 1.75, limbs, 0);
+  gaitsInto(Float64Array.of(strides), Float64Array.of(1.5 / 4 / 1.75), limbs);
   return [limbs.leftLeg[1] ?? 0, limbs.rightLeg[1] ?? 0];
 }
 

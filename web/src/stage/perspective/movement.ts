@@ -2,7 +2,7 @@ import type { Show } from "../../playback/show";
 import { smoothstep } from "../spacing";
 import type { BodyKind } from "./bodies";
 import { bankOf, headingOf, pitchOf, WINDOW } from "./course";
-import { gaitInto, type Limbs } from "./gait";
+import { gaitsInto, type Limbs } from "./gait";
 import type { BodySizes } from "./sizes";
 import { distancesOf, strideCount } from "./stride";
 
@@ -35,6 +35,9 @@ export class Movement {
   private readonly highBefore: Float32Array;
   private readonly highAfter: Float32Array;
   private readonly traveled: Float32Array;
+  /** Strides done and how far a foot reaches, by agent. */
+  private readonly phases: Float64Array;
+  private readonly reaches: Float64Array;
   /** Of a segment without a motion: its ends, and how far it is between them. */
   private readonly from: Float32Array;
   private readonly to: Float32Array;
@@ -48,6 +51,8 @@ export class Movement {
     this.highBefore = new Float32Array(count);
     this.highAfter = new Float32Array(count);
     this.traveled = new Float32Array(count);
+    this.phases = new Float64Array(count);
+    this.reaches = new Float64Array(count);
     this.from = new Float32Array(2 * count);
     this.to = new Float32Array(2 * count);
     this.straight = new Float32Array(count);
@@ -103,17 +108,24 @@ export class Movement {
 
   private walkInto(show: Show, time: number, height: number, limbs: Limbs): void {
     const segment = show.segmentAt(time);
-    const totals = segment === null ? null : this.measure(show, segment, time);
-    const { before, now, after, traveled } = this;
+    const { before, now, after, traveled, phases, reaches } = this;
+    if (segment === null) {
+      phases.fill(0);
+      reaches.fill(0);
+      gaitsInto(phases, reaches, limbs);
+      return;
+    }
+    const totals = this.measure(show, segment, time);
     for (let agent = 0; agent < this.count; agent += 1) {
-      const total = totals?.[agent] ?? 0;
+      const total = totals[agent] ?? 0;
       const strides = strideCount(total, STRIDE * height);
       // Who comes from standing or is about to stand takes shorter steps, and none at the stop itself.
       const step = Math.min(squaredStep(before, now, 2 * agent), squaredStep(now, after, 2 * agent));
       const vigor = smoothstep(0, STROLL, Math.sqrt(step) / height);
-      const reach = Math.min(total / strides / 4 / height, LONGEST_REACH) * vigor;
-      gaitInto(total > 0 ? (strides * (traveled[agent] ?? 0)) / total : 0, reach, limbs, agent);
+      phases[agent] = total > 0 ? (strides * (traveled[agent] ?? 0)) / total : 0;
+      reaches[agent] = Math.min(total / strides / 4 / height, LONGEST_REACH) * vigor;
     }
+    gaitsInto(phases, reaches, limbs);
   }
 
   /** Fills `traveled` and answers how far everybody walks in all; straight while there is no motion. */

@@ -81,6 +81,8 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
   const device = createDevice(host, onLost);
   const writing = createWriting(host);
   const space = new Scene();
+  // Agents move in the shaders; the rest moves only when it is made anew.
+  space.matrixWorldAutoUpdate = false;
   const ground = createGround(device.largestTexture, device.sharpness);
   const airspace = createAirspace();
   const obstacles = createObstacles();
@@ -177,6 +179,7 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
     paint(palette, cast, sight, needs) {
       if (needs.ground) drawGround(palette, cast);
       const isNew = gather();
+      if (needs.ground || isNew) space.updateMatrixWorld(true);
       if (needs.cast || isNew) {
         crowd.paint(palette, cast);
         crowd.choose(picture.selected);
