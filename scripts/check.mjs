@@ -1,11 +1,12 @@
 // Format, lint, types and unit tests.
 import { buildEngine } from "./steps/build.mjs";
-import { check } from "./steps/check.mjs";
+import { check, lintRust } from "./steps/check.mjs";
 import { main } from "./steps/run.mjs";
 import { prepare, prepareChecks } from "./steps/tools.mjs";
 
 main(async () => {
-  await buildEngine(await prepare());
+  const toolchain = await prepare();
   await prepareChecks();
+  await Promise.all([buildEngine(toolchain), lintRust()]);
   await check();
 });

@@ -2,7 +2,7 @@
 import { findBrowser } from "./steps/browser.mjs";
 import { checkBudget } from "./steps/budget.mjs";
 import { buildEngine, buildPage } from "./steps/build.mjs";
-import { check } from "./steps/check.mjs";
+import { check, lintRust } from "./steps/check.mjs";
 import { main, run, step } from "./steps/run.mjs";
 import { prepare, prepareChecks } from "./steps/tools.mjs";
 
@@ -10,7 +10,7 @@ main(async () => {
   const toolchain = await prepare();
   await prepareChecks();
   const browser = await findBrowser();
-  await buildEngine(toolchain);
+  await Promise.all([buildEngine(toolchain), lintRust()]);
   await check();
   await buildPage();
   await step("Size of the first load", checkBudget);
