@@ -87,6 +87,20 @@ fn what_was_chosen_when_a_scene_was_saved_is_not_chosen_again() {
 }
 
 #[test]
+fn a_motion_is_there_before_its_numbers_and_stays_as_it_is() {
+    let mut performer = Performer::default();
+    let mut job = performer.begin(&show(), 1, &[]);
+    let mut unmeasured = None;
+    let performed = loop {
+        match job.step(&mut performer).expect("the show can be performed") {
+            Step::Done(performed) => break performed,
+            Step::Progress(_) => unmeasured = job.motion().cloned(),
+        }
+    };
+    assert_eq!(unmeasured.as_ref(), Some(&performed.motion));
+}
+
+#[test]
 fn the_same_scene_has_the_same_motion_to_the_bit() {
     let bits = |scene: &Scene| -> Vec<u64> {
         let performance = perform(scene).expect("the show can be performed");
