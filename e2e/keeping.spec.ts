@@ -1,6 +1,6 @@
 import type { Page } from "@playwright/test";
 import { unchosen } from "./fixtures/scene-file";
-import { expect, type Studio, test } from "./fixtures/studio";
+import { expect, Studio, test } from "./fixtures/studio";
 
 const SAVED = "Saved on this device";
 
@@ -25,6 +25,19 @@ test("work is there again after a reload", async ({ studio, page }) => {
   await expect(page.getByText(SAVED)).toBeVisible();
   expect(unchosen(await studio.sceneFile())).toEqual(before);
   await expect(studio.button("Undo")).toBeDisabled();
+});
+
+test("two tabs keep a scene each", async ({ studio, page, context }) => {
+  await studio.makeShow();
+  await keepTitle(studio, "First");
+  const other = new Studio(await context.newPage());
+  await other.open();
+  await expect(other.title).toHaveValue("First");
+  await keepTitle(other, "Second");
+  await keepTitle(studio, "First again");
+  await Promise.all([page.reload(), other.page.reload()]);
+  await expect(studio.title).toHaveValue("First again");
+  await expect(other.title).toHaveValue("Second");
 });
 
 test("a new scene is one undo away from the old one", async ({ studio }) => {

@@ -1,5 +1,6 @@
 import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import { type GenerationStore, openGenerations, type Restored, readGenerations, writeGeneration } from "./generations";
+import { holdPlace, type TabPlace } from "./tab-place";
 
 /** Whether what the person sees is kept. `saved` is said only of exactly that, on disk and verified. */
 export type SaveState =
@@ -22,6 +23,8 @@ export interface Autosave {
 
 export interface AutosaveParts {
   readonly open?: () => Promise<GenerationStore>;
+  /** Takes this tab's place among those of the database. */
+  readonly hold?: (store: GenerationStore) => Promise<TabPlace>;
   /** Calls back once after so many milliseconds; answers how to stop. */
   readonly after?: (milliseconds: number, call: () => void) => () => void;
 }
@@ -39,10 +42,15 @@ const WORDS: Readonly<Record<"full" | "blocked" | "unwritable", string>> = {
   unwritable: "Not saved yet: trying again",
 };
 
-/** Keeps the scene on this device in two generations. Nothing is lost by a failure: it is said, and tried again. */
-export function createAutosave({ open = openGenerations, after = afterTimeout }: AutosaveParts = {}): Autosave {
+/**
+ * Keeps the scene on this device in two generations, each tab for itself. Nothing is lost by a failure: it is said, and
+ * tried again.
+ */
+export function createAutosave(parts: AutosaveParts = {}): Autosave {
+  const { open = openGenerations, hold = holdPlace, after = afterTimeout } = parts;
   const state = signal<SaveState>({ kind: "empty" });
   let store: Promise<GenerationStore> | null = null;
+  let place: Promise<TabPlace> | null = null;
   let pending: (() => Promise<string>) | null = null;
   let running: Promise<void> = Promise.resolve();
   let stopPause = () => {};
@@ -57,13 +65,23 @@ export function createAutosave({ open = openGenerations, after = afterTimeout }:
     return store;
   }
 
+  /** Taken once; what failed is tried again. */
+  function placeIn(database: GenerationStore): Promise<TabPlace> {
+    place ??= hold(database).catch((error: unknown) => {
+      place = null;
+      throw error;
+    });
+    return place;
+  }
+
   async function writePending(): Promise<void> {
     const write = pending;
     if (!write) return;
     pending = null;
     try {
       const text = await write();
-      await writeGeneration(await database(), text);
+      const kept = await database();
+      await writeGeneration(kept, text, (await placeIn(kept)).place);
       // Something newer came meanwhile: not saved yet.
       if (!pending) state.value = { kind: "saved" };
     } catch (error) {
@@ -114,7 +132,8 @@ export function createAutosave({ open = openGenerations, after = afterTimeout }:
     flush,
     async restore() {
       try {
-        const restored = await readGenerations(await database());
+        const kept = await database();
+        const restored = await readGenerations(kept, (await placeIn(kept)).from);
         if (restored.kind === "text" && state.peek().kind === "empty") state.value = { kind: "saved" };
         return restored;
       } catch (error) {

@@ -6,6 +6,8 @@ import { DATABASE } from "./database";
 interface Generation {
   /** Rises with every save; the higher is the newer. */
   readonly serial: number;
+  /** When it was saved, milliseconds since 1970; those of early versions do not say. */
+  readonly savedAt?: number;
   /** Of `text`. */
   readonly checksum: number;
   /** Scene JSON as the engine wrote it. */
@@ -18,7 +20,10 @@ interface Database extends DBSchema {
 
 export type GenerationStore = IDBPDatabase<Database>;
 
-const SLOTS = ["a", "b"] as const;
+/** Two slots a place; each tab keeps its scene at a place of its own. */
+function slotsOf(place: number): readonly [string, string] {
+  return place === 0 ? ["a", "b"] : [`a${place}`, `b${place}`];
+}
 
 /** What was saved last. A newest save that does not verify is passed over for the one before, and said. */
 export type Restored =
@@ -40,27 +45,49 @@ export async function openGenerations(name: string = DATABASE): Promise<Generati
  *
  * Resolves when the transaction is complete and what lies there verifies.
  */
-export async function writeGeneration(store: GenerationStore, text: string): Promise<void> {
+export async function writeGeneration(
+  store: GenerationStore,
+  text: string,
+  place = 0,
+  savedAt = Date.now(),
+): Promise<void> {
+  const [slotA, slotB] = slotsOf(place);
   const transaction = store.transaction("generations", "readwrite");
   // A refused write aborts the transaction; its own promise must have somebody to tell.
   transaction.done.catch(() => {});
-  const [a, b] = await Promise.all(SLOTS.map((slot) => transaction.store.get(slot)));
+  const [a, b] = await Promise.all([transaction.store.get(slotA), transaction.store.get(slotB)]);
   const [serialA, serialB] = [serialOf(a), serialOf(b)];
-  const slot = serialA <= serialB ? "a" : "b";
-  await transaction.store.put({ serial: Math.max(serialA, serialB, 0) + 1, checksum: checksum(text), text }, slot);
+  const slot = serialA <= serialB ? slotA : slotB;
+  const serial = Math.max(serialA, serialB, 0) + 1;
+  await transaction.store.put({ serial, savedAt, checksum: checksum(text), text }, slot);
   await transaction.done;
   const written: unknown = await store.get("generations", slot);
   if (!isSound(written) || written.text !== text) throw new Error("what was saved does not read back");
 }
 
-/** The newest generation that verifies. */
-export async function readGenerations(store: GenerationStore): Promise<Restored> {
-  const found: unknown[] = await Promise.all(SLOTS.map((slot) => store.get("generations", slot)));
+/** The newest generation of a place that verifies. */
+export async function readGenerations(store: GenerationStore, place = 0): Promise<Restored> {
+  const found: unknown[] = await Promise.all(slotsOf(place).map((slot) => store.get("generations", slot)));
   const present = found.filter((generation) => generation !== undefined);
   const newest = present.filter(isSound).sort((p, q) => q.serial - p.serial)[0];
   if (!newest) return present.length > 0 ? { kind: "damaged" } : { kind: "nothing" };
   const isNewestDamaged = present.some((other) => !isSound(other) && claimedSerial(other) > newest.serial);
   return { kind: "text", text: newest.text, isNewestDamaged };
+}
+
+/** Places where something was kept, the latest first. */
+export async function keptPlaces(store: GenerationStore): Promise<readonly number[]> {
+  const latest = new Map<number, number>();
+  for (const key of await store.getAllKeys("generations")) {
+    const place = Number(key.slice(1));
+    const generation: unknown = await store.get("generations", key);
+    latest.set(place, Math.max(latest.get(place) ?? 0, savedAtOf(generation)));
+  }
+  return [...latest].sort(([placeA, a], [placeB, b]) => b - a || placeA - placeB).map(([place]) => place);
+}
+
+function savedAtOf(generation: unknown): number {
+  return isSound(generation) ? (generation.savedAt ?? 0) : 0;
 }
 
 /** Zero for what does not verify: it is the first to be written over. */
