@@ -9,7 +9,7 @@ import { later } from "./later";
 import { createAgentsLayer } from "./layers/agents";
 import { drawHulls } from "./layers/hulls";
 import { drawNames } from "./layers/names";
-import { drawPathsToCome, drawStraightPaths } from "./layers/paths";
+import { drawFormerPaths, drawPathsToCome, drawStraightPaths } from "./layers/paths";
 import { drawCuts, drawTies } from "./layers/ties";
 import { createTrailsLayer } from "./layers/trails";
 import { createTurns } from "./layers/turns";
@@ -92,12 +92,16 @@ export function createMotionPainter(
   }
 
   function drawAllPaths(context: CanvasRenderingContext2D): void {
-    const { show, track, time } = picture;
+    const { show, track, lastMotions, time } = picture;
     const next = show.keyframeBefore(time);
+    const from = track.keyframes[next]?.positions;
     const target = track.keyframes[next + 1]?.positions;
     const motion = show.motionOf(next);
+    const former = show.segmentAt(time) === null ? lastMotions[next] : null;
     if (motion) drawPathsToCome(context, frame, motion, Math.max(time, motion.start));
-    else if (target) drawStraightPaths(context, frame, target.xy);
+    else if (from && target && former?.agentCount === frame.agentCount) {
+      drawFormerPaths(context, frame, former, from.xy, target.xy);
+    } else if (target) drawStraightPaths(context, frame, target.xy);
   }
 
   /** Of the transition under way, and of the one before while it lingers; standing, of the one that led here. */
