@@ -6,7 +6,7 @@
 mod code;
 mod words;
 
-pub use words::Counted;
+pub use words::{Blank, Counted};
 use words::{Listed, there_are};
 
 use crate::scene::limits;
@@ -451,5 +451,34 @@ pub enum Error {
         count: usize,
         /// How many are allowed.
         limit: usize,
+    },
+
+    /// A picture of too few pixels to hold a shape, or of more than a camera's.
+    #[error("{width} × {height} pixels; a picture has {low} to {high} a side")]
+    PictureSize {
+        /// Pixels in a row.
+        width: usize,
+        /// Rows.
+        height: usize,
+        /// The fewest a side.
+        low: usize,
+        /// The most a side.
+        high: usize,
+    },
+    /// A picture without a shape in it.
+    #[error("there is no shape in this picture: {why}")]
+    BlankPicture {
+        /// What it is instead, and what to do.
+        why: Blank,
+    },
+    /// More agents than stand in a shape without being too near.
+    #[error("{count} agents do not fit {distance} m apart, {largest} do; ask for fewer, a larger shape or a smaller minimum distance")]
+    TooCrowded {
+        /// How many were asked for.
+        count: usize,
+        /// The least distance, meters.
+        distance: f64,
+        /// The largest number that fits.
+        largest: usize,
     },
 }

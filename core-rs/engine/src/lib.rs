@@ -19,6 +19,7 @@ mod order;
 pub mod perform;
 mod recent;
 pub mod scene;
+pub mod shape;
 pub mod spectral;
 pub mod text;
 pub mod transition;

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What each room may name of the others.
-const MAY_KNOW: [(&str, &[&str]); 15] = [
+const MAY_KNOW: [(&str, &[&str]); 16] = [
     ("adjacency", &["error", "formation"]),
     ("assignment", &["formation"]),
     ("choice", &[]),
@@ -36,6 +36,8 @@ const MAY_KNOW: [(&str, &[&str]); 15] = [
         ],
     ),
     ("scene", &["adjacency", "choice", "error", "formation", "obstacle", "text"]),
+    // `scene` only for how many agents it has at the most.
+    ("shape", &["error", "formation", "scene"]),
     ("spectral", &["adjacency", "assignment", "choice", "formation"]),
     ("text", &[]),
     ("transition", &["adjacency", "choice", "formation", "grouping", "obstacle", "spectral"]),

@@ -59,6 +59,9 @@ impl Error {
             Self::Gap { .. } => "gap",
             Self::TooManySamples { .. } => "too-many-samples",
             Self::NobodyThere => "nobody-there",
+            Self::PictureSize { .. } => "picture-size",
+            Self::BlankPicture { .. } => "blank-picture",
+            Self::TooCrowded { .. } => "too-crowded",
         }
     }
 
@@ -76,6 +79,9 @@ impl Error {
             | Self::OneFrame
             | Self::TooManySamples { .. }
             | Self::NobodyThere
+            | Self::PictureSize { .. }
+            | Self::BlankPicture { .. }
+            | Self::TooCrowded { .. }
             | Self::TooManyFrames { .. } => String::new(),
             Self::NotText { byte } => format!("byte {byte}"),
             Self::NotAScene { .. } => "format".to_owned(),

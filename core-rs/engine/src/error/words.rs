@@ -56,6 +56,27 @@ impl Display for Counted {
     }
 }
 
+/// Why there is no shape in a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Blank {
+    /// Every pixel is transparent.
+    Transparent,
+    /// No pixel is taken for the shape.
+    Nothing,
+    /// Every pixel is.
+    Everything,
+}
+
+impl Display for Blank {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Transparent => "all of it is transparent",
+            Self::Nothing => "nothing is dark enough; raise the threshold or invert it",
+            Self::Everything => "all of it is dark enough; lower the threshold or invert it",
+        })
+    }
+}
+
 /// Words as a sentence lists them.
 pub(super) struct Listed<'a>(pub(super) &'a [&'static str]);
 
