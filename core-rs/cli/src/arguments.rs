@@ -19,6 +19,7 @@ Examples:
   eigenform motion show.eigenform.json --out show.csv
   eigenform motion keyframes.csv --at 0,0.5,1 --json
   eigenform measure show.eigenform.json --method spectral --json
+  eigenform shape bird.png --agents 400 > bird.eigenform.json
   eigenform link show.eigenform.json --base https://example.org/
   eigenform open '#s=1.…' > show.eigenform.json
 
@@ -46,6 +47,8 @@ pub enum Verb {
     Modes(Modes),
     /// Who takes which place of another keyframe at the least cost
     Assign(Assign),
+    /// A formation of so many agents from a picture, a drawing or text, as a scene file
+    Shape(Shape),
     /// The scene as a link
     Link(Link),
     /// The scene of a link, as a scene file
@@ -195,6 +198,49 @@ pub struct Assign {
     /// Print JSON; without it one place a line, then the cost
     #[arg(long)]
     pub json: bool,
+}
+
+/// `shape`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+INPUT is a PNG, JPEG, WebP or SVG file, - for one on standard input, the d of a path, or else text. Of a picture the
+dark parts are the shape; where it has transparent parts, all that can be seen. Agents stand evenly all over the shape,
+which is as large as the stage of 100 by 60 m allows; the same seed gives the same places.
+
+Examples:
+  eigenform shape bird.png --agents 400 --threshold 0.6 > bird.eigenform.json
+  eigenform shape 'M 0 0 L 4 0 L 2 3 Z' --agents 66 --width 20 --minimum-distance 1
+  eigenform shape GO --agents 200 --outline --font 'DejaVu Serif'")]
+pub struct Shape {
+    /// A picture or drawing, - for standard input, path data, or text
+    pub input: String,
+    /// How many agents, 1 to 5,000
+    #[arg(long, value_name = "N")]
+    pub agents: usize,
+    /// Of every random choice
+    #[arg(long, value_name = "S", default_value_t = 0)]
+    pub seed: u32,
+    /// What is darker than this is the shape, 0.01 to 0.99; with transparency, what is more opaque than 1 minus it
+    #[arg(long, value_name = "BRIGHTNESS", default_value_t = 0.5, allow_negative_numbers = true)]
+    pub threshold: f64,
+    /// What is not, instead
+    #[arg(long)]
+    pub invert: bool,
+    /// Along its edge, not all over it
+    #[arg(long)]
+    pub outline: bool,
+    /// From left to right, meters; its depth follows
+    #[arg(long, value_name = "METERS", allow_negative_numbers = true)]
+    pub width: Option<f64>,
+    /// How near two may stand, meters; the scene's minimum distance, too
+    #[arg(long, value_name = "METERS", default_value_t = 0.0, allow_negative_numbers = true)]
+    pub minimum_distance: f64,
+    /// For text: a family of fonts on this machine
+    #[arg(long, value_name = "FAMILY")]
+    pub font: Option<String>,
+    /// INPUT is text, whatever it looks like
+    #[arg(long)]
+    pub text: bool,
 }
 
 /// `link`.

@@ -18,6 +18,8 @@ const FILE: u8 = 1;
 pub enum Failure {
     /// The engine refuses the input.
     Refused(Error),
+    /// What was given is no shape that can be drawn.
+    Given { code: &'static str, what: String, place: String },
     /// The command is not one.
     Usage { what: String, place: String },
     /// A file cannot be read or written.
@@ -88,6 +90,7 @@ impl Display for Failure {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let (code, what, place) = match self {
             Self::Refused(error) => (error.code(), error.to_string(), error.place()),
+            Self::Given { code, what, place } => (*code, what.clone(), place.clone()),
             Self::Usage { what, place } => ("usage", what.clone(), place.clone()),
             Self::File { code, error, path } => (*code, error.to_string(), path.clone()),
             Self::Nothing(_) => return Ok(()),

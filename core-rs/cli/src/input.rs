@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read as _};
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use eigenform::choice::{Join, MethodName};
@@ -74,6 +75,15 @@ pub fn formation<'s>(scene: &'s Scene, keyframe: usize, option: &str) -> Result<
     Err(Error::OutOfRange { value, low: 0.0, high, place: option.to_owned() }.into())
 }
 
+/// A number that an option gives, if it is admissible.
+pub fn within(value: f64, admissible: &RangeInclusive<f64>, option: &str) -> Result<f64, Failure> {
+    if admissible.contains(&value) {
+        return Ok(value);
+    }
+    let (low, high) = (*admissible.start(), *admissible.end());
+    Err(Error::OutOfRange { value, low, high, place: option.to_owned() }.into())
+}
+
 fn is_link(text: &str) -> bool {
     text.contains("#s=") || ["#", "http://", "https://"].iter().any(|start| text.starts_with(start))
 }
@@ -83,11 +93,7 @@ fn override_parts(scene: &mut Scene, source: &Source) -> Result<(), Failure> {
         scene.join = word(join, &JOINS, "--join")?;
     }
     if let Some(distance) = source.minimum_distance {
-        if !limits::LENGTH.contains(&distance) {
-            let (low, high) = limits::LENGTH.into_inner();
-            return Err(Error::OutOfRange { value: distance, low, high, place: "--minimum-distance".to_owned() }.into());
-        }
-        scene.minimum_distance = distance;
+        scene.minimum_distance = within(distance, &limits::LENGTH, "--minimum-distance")?;
     }
     let avoidance = source.avoidance.as_ref().map(|typed| word(typed, &BOOLEANS, "--avoidance")).transpose()?;
     let method = source.method.as_ref().map(|typed| method_of(typed)).transpose()?;

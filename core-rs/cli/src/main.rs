@@ -6,6 +6,7 @@ mod arguments;
 mod failure;
 mod input;
 mod output;
+mod picture;
 mod verbs;
 
 use std::io::{self, Write as _};
@@ -45,6 +46,7 @@ fn run(verb: &Verb) -> Result<Vec<String>, Failure> {
         Verb::Measure(measure) => verbs::measure::run(measure),
         Verb::Modes(modes) => verbs::modes::run(modes),
         Verb::Assign(assign) => verbs::assign::run(assign),
+        Verb::Shape(shape) => verbs::shape::run(shape),
         Verb::Link(link) => verbs::link::run(link),
         Verb::Open(open) => verbs::open::run(open),
         Verb::Convert(convert) => verbs::convert::run(convert),

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{Desk, SHOW};
+use support::{Desk, SHOW, png};
 
 fn check(desk: &Desk, arguments: &[&str], code: i32, start: &str) {
     let before = desk.names();
@@ -71,6 +71,60 @@ fn bad_input_is_two_and_says_where() {
     ] {
         check(&desk, arguments, 2, start);
     }
+}
+
+#[test]
+fn a_shape_that_is_none_says_why() {
+    let desk = Desk::new();
+    let blank = png(9, 9, |_, _| [255; 4]);
+    desk.put_bytes("blank.png", &blank);
+    desk.put_bytes("cut.png", &blank[..blank.len() / 2]);
+    desk.put_bytes("clear.png", &png(9, 9, |_, _| [0; 4]));
+    desk.put_bytes("dot.png", &png(1, 1, |_, _| [0, 0, 0, 255]));
+    // The header of a PNG of 60,000 × 60,000 pixels, whose checksum fits.
+    let mut huge = blank.clone();
+    huge[16..24].copy_from_slice(&[0, 0, 0xEA, 0x60, 0, 0, 0xEA, 0x60]);
+    huge[29..33].copy_from_slice(&0x80D2_7542_u32.to_be_bytes());
+    desk.put_bytes("huge.png", &huge);
+    let svg = |inside: &str| format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 8 8\">{inside}</svg>");
+    desk.put("script.svg", &svg("<script>alert(1)</script>"));
+    desk.put("handler.svg", &svg("<path onload=\"alert(1)\" d=\"M 0 0 L 4 0 L 2 3 Z\"/>"));
+    desk.put("link.svg", &svg("<use href=\"https://example.org/#a\"/>"));
+    desk.put("style.svg", &svg("<style>path { fill: url(https://example.org/a) }</style>"));
+    desk.put("cut.svg", &svg("<path")[..60]);
+    let triangle = "M 0 0 L 4 0 L 2 3 Z";
+    for (input, rest, start) in [
+        ("blank.png", &[][..], "blank-picture: there is no shape in this picture: nothing is dark enough"),
+        ("blank.png", &["--invert"], "blank-picture: there is no shape in this picture: all of it"),
+        ("clear.png", &[], "blank-picture: there is no shape in this picture: all of it is transparent"),
+        ("cut.png", &[], "broken-picture: the picture cannot be decoded"),
+        ("dot.png", &[], "picture-size: 1 × 1 pixels"),
+        ("huge.png", &[], "picture-size: 60000 × 60000 pixels"),
+        ("script.svg", &[], "active-svg: this SVG has a script in it"),
+        ("handler.svg", &[], "active-svg: this SVG has a script in it"),
+        ("link.svg", &[], "active-svg: this SVG links to something outside"),
+        ("style.svg", &[], "active-svg: this SVG links to something outside"),
+        ("cut.svg", &[], "broken-picture: this is no PNG, JPEG, WebP or SVG"),
+        ("show.json", &[], "broken-picture: this is no PNG, JPEG, WebP or SVG"),
+        ("M 0 0 L 4 0", &[], "broken-picture: this path has no inside"),
+        (" ", &[], "no-text: "),
+        ("Go", &["--font", "No Such Font"], "no-font: "),
+        (triangle, &["--threshold", "2"], "out-of-range: 2 is out of range; it must be from 0.01 to 0.99 (--threshold)"),
+        (triangle, &["--width", "0"], "out-of-range: "),
+        (triangle, &["--width", "5", "--minimum-distance", "2"], "too-crowded: 60 agents do not fit 2 m apart, "),
+    ] {
+        check(&desk, &[&["shape", input, "--agents", "60"], rest].concat(), 2, start);
+    }
+    for count in ["0", "5001"] {
+        check(
+            &desk,
+            &["shape", triangle, "--agents", count],
+            2,
+            &format!("out-of-range: {count} is out of range; it must be from 1 to 5000"),
+        );
+    }
+    check(&desk, &["shape", triangle, "--agents", "many"], 2, "usage: ");
+    check(&desk, &["shape", "absent.png", "--agents", "60"], 1, "cannot-read: ");
 }
 
 #[test]

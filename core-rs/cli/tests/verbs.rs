@@ -3,7 +3,7 @@
 mod support;
 
 use serde_json::{Value, json};
-use support::Desk;
+use support::{Desk, jpeg, png, webp};
 
 fn parsed(text: &str) -> Value {
     serde_json::from_str(text).expect("JSON")
@@ -130,6 +130,75 @@ fn assign_finds_who_stays() {
     let desk = Desk::new();
     let text = desk.answer(&["assign", "show.json", "--from", "0", "--to", "1", "--cost", "squared", "--json"]);
     assert_eq!(parsed(&text), json!({ "assignment": [3, 0, 1, 2], "cost": 0.0 }));
+}
+
+/// The positions of the first keyframe, and the sizes of their bounding box.
+fn formation(scene: &str) -> (Vec<[f64; 2]>, [f64; 2]) {
+    let scene = parsed(scene);
+    let list = scene["keyframes"][0]["positions"].as_array().expect("positions");
+    let positions: Vec<[f64; 2]> = list.iter().map(|at| [number(&at[0]), number(&at[1])]).collect();
+    let size = |axis: usize| {
+        let along = positions.iter().map(|at| at[axis]);
+        along.clone().fold(f64::NEG_INFINITY, f64::max) - along.fold(f64::INFINITY, f64::min)
+    };
+    let sizes = [size(0), size(1)];
+    (positions, sizes)
+}
+
+#[test]
+fn shape_makes_a_scene_of_exactly_so_many() {
+    let desk = Desk::new();
+    let triangle = "M 0 0 L 4 0 L 2 3 Z";
+    let asked = &["shape", triangle, "--agents", "66", "--width", "20", "--seed", "4", "--minimum-distance", "0.5"];
+    let text = desk.answer(asked);
+    let (positions, [width, depth]) = formation(&text);
+    // The width is that of the drawing to a pixel in a thousand; the deepest agent stands at a corner, about.
+    assert_eq!(positions.len(), 66);
+    assert!((19.5..=20.05).contains(&width) && (14.0..=15.05).contains(&depth), "{width} × {depth}");
+    assert_eq!(
+        (&parsed(&text)["title"], &parsed(&text)["seed"], &parsed(&text)["minimumDistance"]),
+        (&json!(triangle), &json!(4), &json!(0.5))
+    );
+    desk.put("triangle.json", &text);
+    assert_eq!(desk.answer(&["check", "triangle.json"]), "ok: 66 agents, 1 keyframes\n");
+    // The same again; along the edge others.
+    assert_eq!(desk.answer(asked), text);
+    let edge = desk.answer(&["shape", triangle, "--agents", "66", "--width", "20", "--outline"]);
+    assert_ne!(formation(&edge).0, positions);
+}
+
+#[test]
+fn shape_reads_every_kind_of_picture() {
+    let desk = Desk::new();
+    desk.put_bytes("left.jpg", &jpeg());
+    desk.put_bytes("left.webp", &webp());
+    desk.put_bytes("left.png", &png(8, 8, |x, _| if x < 4 { [0, 0, 0, 255] } else { [255; 4] }));
+    desk.put_bytes("seen.png", &png(8, 8, |x, _| if x < 4 { [255; 4] } else { [0; 4] }));
+    let svg = |inside: &str| format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 8 8\">{inside}</svg>");
+    desk.put("left.svg", &svg("<g transform=\"scale(2)\"><rect width=\"2\" height=\"4\" style=\"fill: gold\"/></g>"));
+    for name in ["left.jpg", "left.webp", "left.png", "seen.png", "left.svg"] {
+        let (positions, [width, depth]) = formation(&desk.answer(&["shape", name, "--agents", "40"]));
+        // Half of the square: as deep as the room for it, and half as wide. Agents stand at the edge to half a pixel of eight.
+        assert_eq!(positions.len(), 40, "{name}");
+        assert!((42.0..=48.0).contains(&depth) && (18.0..=24.0).contains(&width), "{name}: {width} × {depth}");
+    }
+}
+
+#[test]
+fn shape_writes_text() {
+    let desk = Desk::new();
+    let outcome = desk.run(&["shape", "IT", "--agents", "120"]);
+    // A machine without any font says so.
+    if outcome.code != 0 {
+        assert!(outcome.stderr.starts_with("error: no-glyph: no font of this machine"), "{}", outcome.stderr);
+        return;
+    }
+    let (positions, _) = formation(&outcome.stdout);
+    // I and T stand apart: nobody is in the gap between them.
+    let mut xs: Vec<f64> = positions.iter().map(|at| at[0]).collect();
+    xs.sort_by(f64::total_cmp);
+    let gap = xs.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    assert!(positions.len() == 120 && gap > 1.0, "{gap} m");
 }
 
 #[test]

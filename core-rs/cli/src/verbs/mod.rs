@@ -8,3 +8,4 @@ pub mod measure;
 pub mod modes;
 pub mod motion;
 pub mod open;
+pub mod shape;

@@ -32,6 +32,10 @@ impl Desk {
         std::fs::write(self.path(name), text).expect("a file on the desk");
     }
 
+    pub fn put_bytes(&self, name: &str, bytes: &[u8]) {
+        std::fs::write(self.path(name), bytes).expect("a file on the desk");
+    }
+
     pub fn read(&self, name: &str) -> String {
         std::fs::read_to_string(self.path(name)).expect("a file on the desk")
     }
@@ -85,3 +89,35 @@ const KEYFRAMES: &str = "keyframe,time,agent,group,x,y
 1,2,Ada,,2,0
 1,2,Ben,,0,0
 ";
+
+/// A picture as small as they come: 8 × 8 pixels, the left half black, as JPEG.
+pub fn jpeg() -> Vec<u8> {
+    bytes(
+        "ffd8ffdb0043001b12141714111b1716171e1c1b2028422b28252528513a3d3042605565645f555d5b6a7899816a7190735b5d85b586909ea3abadab\
+         6780bcc9baa6c799a8aba4ffdb0043011c1e1e2823284e2b2b4ea46e5d6ea4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4\
+         a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4a4ffc00011080008000803012200021101031101ffc400140001000000000000000000000000000000\
+         00ffc40018100100030100000000000000000000000000064482c2ffc40014010100000000000000000000000000000000ffc4001411010000000000\
+         0000000000000000000000ffda000c03010002110311003f00432e63a001ffd9",
+    )
+}
+
+/// The same as WebP.
+pub fn webp() -> Vec<u8> {
+    bytes("524946462a00000057454250565038201e0000009001009d012a0800080004006825a400029d47235000fef7827f87c00000")
+}
+
+/// The picture of `width` × `height` pixels as PNG, each pixel red, green, blue and opacity.
+pub fn png(width: u32, height: u32, pixel: impl Fn(u32, u32) -> [u8; 4]) -> Vec<u8> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(png::ColorType::Rgba);
+    let pixels: Vec<u8> = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).flat_map(|(x, y)| pixel(x, y)).collect();
+    let mut writer = encoder.write_header().expect("a header");
+    writer.write_image_data(&pixels).expect("pixels");
+    writer.finish().expect("an end");
+    file
+}
+
+fn bytes(hex: &str) -> Vec<u8> {
+    (0..hex.len() / 2).map(|at| u8::from_str_radix(&hex[2 * at..2 * at + 2], 16).expect("two hexadecimal digits")).collect()
+}
