@@ -4,8 +4,14 @@
 //! `place` is where in the input: a field as `keyframes[2].positions[14]`, a line and column, a row; empty when it is the whole.
 
 mod code;
+mod json;
+mod recording;
+mod table;
 mod words;
 
+pub use json::JsonError;
+pub use recording::RecordingError;
+pub use table::TableError;
 pub use words::{Blank, Counted};
 use words::{Listed, there_are};
 
@@ -32,14 +38,12 @@ pub enum Error {
         limit: usize,
     },
 
-    /// The text breaks the rules of JSON.
-    #[error("this is not well-formed JSON: {message}")]
-    InvalidJson {
-        /// What the parser met.
-        message: String,
-        /// Line and column, or the field.
-        place: String,
-    },
+    /// What is wrong in the text of a scene file.
+    #[error(transparent)]
+    Json(#[from] JsonError),
+    /// A recording where a scene is wanted.
+    #[error("this is a recording of motion, not a scene; some of its frames can become the keyframes of one")]
+    IsRecording,
     /// Text without a link in it.
     #[error("there is no scene in this address; a link to a scene has #s=1. and many letters behind it")]
     NotALink,
@@ -63,42 +67,6 @@ pub enum Error {
     NewerVersion {
         /// What `version` says.
         version: String,
-    },
-    /// A required field is absent.
-    #[error("\"{field}\" is missing; it is required")]
-    MissingField {
-        /// Its name.
-        field: String,
-        /// The object that lacks it.
-        place: String,
-    },
-    /// A field that version 1 does not have.
-    #[error("\"{field}\" is no field here; the fields are {}", Listed(admissible))]
-    UnknownField {
-        /// Its name, shortened.
-        field: String,
-        /// The names there are.
-        admissible: &'static [&'static str],
-        /// The object that has it.
-        place: String,
-    },
-    /// A field given twice in one object.
-    #[error("\"{field}\" is given twice")]
-    RepeatedField {
-        /// Its name.
-        field: String,
-        /// The object.
-        place: String,
-    },
-    /// A value of another kind.
-    #[error("this is {found}; it must be {expected}")]
-    WrongType {
-        /// What is there.
-        found: String,
-        /// What must be.
-        expected: &'static str,
-        /// The value.
-        place: String,
     },
     /// A word that is not one of the admissible ones.
     #[error("{value} is not known here; it must be one of {}", Listed(admissible))]
@@ -312,135 +280,23 @@ pub enum Error {
         place: String,
     },
 
-    /// A CSV without one of the columns.
-    #[error("there is no column \"{column}\"; the first row names the columns, such as {example}")]
-    MissingColumn {
-        /// Its name.
-        column: &'static str,
-        /// A first row that is right.
-        example: &'static str,
-    },
-    /// A column that a CSV of this kind does not have.
-    #[error("\"{column}\" is no column here; the columns are {}", Listed(admissible))]
-    UnknownColumn {
-        /// Its name, shortened.
-        column: String,
-        /// The names there are.
-        admissible: &'static [&'static str],
-    },
-    /// A column twice.
-    #[error("there are two columns \"{column}\"; each occurs once")]
-    RepeatedColumn {
-        /// Its name.
-        column: &'static str,
-    },
-    /// A row of fewer or more fields than the header.
-    #[error("row {row} has {found} fields; like the first row it must have {expected}")]
-    CutRow {
-        /// Which row; the header is row 1.
-        row: u64,
-        /// How many it has.
-        found: usize,
-        /// How many the header has.
-        expected: usize,
-    },
-    /// A field that must be a number.
-    #[error("row {row} gives \"{value}\" for {column}; it must be a number, such as 2.5")]
-    NotANumber {
-        /// What is there, shortened.
-        value: String,
-        /// The column.
-        column: &'static str,
-        /// The row.
-        row: u64,
-    },
-    /// One agent twice at one keyframe.
-    #[error("row {row} gives agent {agent} twice in keyframe {keyframe}; each agent has one row a keyframe")]
-    RepeatedRow {
-        /// The later row.
-        row: u64,
-        /// The agent's id.
-        agent: String,
-        /// The keyframe's label.
-        keyframe: String,
-    },
-    /// An agent that a keyframe lacks.
-    #[error("keyframe {keyframe} has no row of agent {agent}; every agent stands in every keyframe")]
-    MissingRow {
-        /// The agent's id.
-        agent: String,
-        /// The keyframe's label.
-        keyframe: String,
-    },
-    /// Rows of one keyframe at different times.
-    #[error("row {row} puts keyframe {keyframe} at {time} s; the rows before put it at {expected} s")]
-    TimesDiffer {
-        /// The later row.
-        row: u64,
-        /// The keyframe's label.
-        keyframe: String,
-        /// What it says, seconds.
-        time: f64,
-        /// What was said before, seconds.
-        expected: f64,
+    /// A polygon whose sides cross one another.
+    #[error("the sides after corners {first} and {second} cross; give the corners in the order in which they lie around the obstacle")]
+    SelfCrossing {
+        /// The corner that the first of them starts from.
+        first: usize,
+        /// The corner that the other starts from.
+        second: usize,
+        /// Its corners.
+        place: String,
     },
 
-    /// A recording where a scene is wanted.
-    #[error("this is a recording of motion, not a scene; some of its frames can become the keyframes of one")]
-    IsRecording,
-    /// A recording that does not say how fast it is.
-    #[error("there is no frame rate; a line such as \"# framerate: 25.00 fps\" stands before the rows")]
-    NoFrameRate,
-    /// A recording without any time in it.
-    #[error("the recording has one frame at the most; a motion has two or more")]
-    OneFrame,
-    /// A frame whose time is not where its number says.
-    #[error("frame {frame} is at {time} s, where the other frames would have it at {expected} s; frames are evenly apart")]
-    UnevenFrames {
-        /// Its number.
-        frame: i64,
-        /// What the row says, seconds.
-        time: f64,
-        /// What the first and last frame make of it, seconds.
-        expected: f64,
-        /// The row.
-        row: u64,
-    },
-    /// An agent twice at one frame.
-    #[error("row {row} gives agent {agent} twice at frame {frame}; each agent has one row a frame")]
-    RepeatedSample {
-        /// The later row.
-        row: u64,
-        /// The agent's id.
-        agent: String,
-        /// The frame's number.
-        frame: i64,
-    },
-    /// An agent that is away and comes back.
-    #[error("agent {agent} is there until frame {frame} and again from frame {back}; an agent enters once and leaves once")]
-    Gap {
-        /// The agent's id.
-        agent: String,
-        /// The last frame before the gap.
-        frame: i64,
-        /// The first frame after it.
-        back: i64,
-        /// The row of that.
-        row: u64,
-    },
-    /// A recording of more agents × frames than fits.
-    #[error("{agent_count} agents × {frames} frames; at most {limit} in all: record fewer frames a second, or cut it in parts")]
-    TooManySamples {
-        /// How many agents.
-        agent_count: usize,
-        /// How many frames.
-        frames: usize,
-        /// Agents × frames allowed.
-        limit: usize,
-    },
-    /// Frames that no agent is in all of.
-    #[error("no agent is there at all of these frames; choose frames nearer to one another")]
-    NobodyThere,
+    /// What is wrong in a table.
+    #[error(transparent)]
+    Table(#[from] TableError),
+    /// What is wrong in a recording of motion.
+    #[error(transparent)]
+    Recording(#[from] RecordingError),
 
     /// More ties at one keyframe than the limit, groups expanded.
     #[error("{count} ties at one keyframe, those of groups included; at most {limit}")]

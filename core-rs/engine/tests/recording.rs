@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use eigenform::choice::MethodName;
-use eigenform::error::Error;
+use eigenform::error::{Error, RecordingError};
 use eigenform::perform::perform;
 use eigenform::scene::recording::{Recording, is_recording, read_recording};
 use eigenform::scene::{Segment, limits, open, read_json, validate};
@@ -133,7 +133,7 @@ fn frames_become_keyframes_of_those_who_are_there() {
     let named = read(TRIO).scene(&[0, 1]).unwrap().scene;
     assert_eq!(named.main_track().agents.iter().map(|agent| agent.name.as_str()).collect::<Vec<_>>(), ["a", "b"]);
     let apart = "# framerate: 10\n1 0 0 0\n1 1 0 0\n2 2 5 5\n";
-    assert_eq!(read(apart).scene(&[0, 2]), Err(Error::NobodyThere));
+    assert_eq!(read(apart).scene(&[0, 2]), Err(RecordingError::NobodyThere.into()));
 }
 
 #[test]

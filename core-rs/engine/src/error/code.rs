@@ -9,17 +9,12 @@ impl Error {
             Self::Empty => "empty",
             Self::NotText { .. } => "not-text",
             Self::FileTooLarge { .. } => "file-too-large",
-            Self::InvalidJson { .. } => "invalid-json",
             Self::NotALink => "not-a-link",
             Self::LinkCut => "link-cut",
             Self::LinkDamaged => "link-damaged",
             Self::LinkTooLarge => "link-too-large",
             Self::NotAScene { .. } => "not-a-scene",
             Self::NewerVersion { .. } => "newer-version",
-            Self::MissingField { .. } => "missing-field",
-            Self::UnknownField { .. } => "unknown-field",
-            Self::RepeatedField { .. } => "repeated-field",
-            Self::WrongType { .. } => "wrong-type",
             Self::UnknownValue { .. } => "unknown-value",
             Self::Unsupported { .. } => "unsupported",
             Self::NotFinite { .. } => "not-finite",
@@ -42,26 +37,15 @@ impl Error {
             Self::UnknownGroup { .. } => "unknown-group",
             Self::RepeatedNode { .. } => "repeated-node",
             Self::NoArea { .. } => "no-area",
+            Self::SelfCrossing { .. } => "self-crossing",
             Self::TooManyTies { .. } => "too-many-ties",
-            Self::MissingColumn { .. } => "missing-column",
-            Self::UnknownColumn { .. } => "unknown-column",
-            Self::RepeatedColumn { .. } => "repeated-column",
-            Self::CutRow { .. } => "cut-row",
-            Self::NotANumber { .. } => "not-a-number",
-            Self::RepeatedRow { .. } => "repeated-row",
-            Self::MissingRow { .. } => "missing-row",
-            Self::TimesDiffer { .. } => "times-differ",
             Self::IsRecording => "recording",
-            Self::NoFrameRate => "no-frame-rate",
-            Self::OneFrame => "one-frame",
-            Self::UnevenFrames { .. } => "uneven-frames",
-            Self::RepeatedSample { .. } => "repeated-sample",
-            Self::Gap { .. } => "gap",
-            Self::TooManySamples { .. } => "too-many-samples",
-            Self::NobodyThere => "nobody-there",
             Self::PictureSize { .. } => "picture-size",
             Self::BlankPicture { .. } => "blank-picture",
             Self::TooCrowded { .. } => "too-crowded",
+            Self::Json(error) => error.code(),
+            Self::Table(error) => error.code(),
+            Self::Recording(error) => error.code(),
         }
     }
 
@@ -75,10 +59,6 @@ impl Error {
             | Self::LinkTooLarge
             | Self::FileTooLarge { .. }
             | Self::IsRecording
-            | Self::NoFrameRate
-            | Self::OneFrame
-            | Self::TooManySamples { .. }
-            | Self::NobodyThere
             | Self::PictureSize { .. }
             | Self::BlankPicture { .. }
             | Self::TooCrowded { .. }
@@ -88,21 +68,10 @@ impl Error {
             Self::NewerVersion { .. } => "version".to_owned(),
             Self::NoKeyframes => "keyframes".to_owned(),
             Self::TooManyTies { keyframe, .. } => format!("keyframes[{keyframe}]"),
-            Self::MissingColumn { .. } | Self::UnknownColumn { .. } | Self::RepeatedColumn { .. } => "row 1".to_owned(),
-            Self::NotANumber { column, row, .. } => format!("row {row}, column {column}"),
-            Self::CutRow { row, .. }
-            | Self::RepeatedRow { row, .. }
-            | Self::TimesDiffer { row, .. }
-            | Self::UnevenFrames { row, .. }
-            | Self::RepeatedSample { row, .. }
-            | Self::Gap { row, .. } => format!("row {row}"),
-            Self::MissingRow { keyframe, .. } => format!("keyframe {keyframe}"),
-            Self::InvalidJson { place, .. }
-            | Self::MissingField { place, .. }
-            | Self::UnknownField { place, .. }
-            | Self::RepeatedField { place, .. }
-            | Self::WrongType { place, .. }
-            | Self::UnknownValue { place, .. }
+            Self::Json(error) => error.place(),
+            Self::Table(error) => error.place(),
+            Self::Recording(error) => error.place(),
+            Self::UnknownValue { place, .. }
             | Self::Unsupported { place, .. }
             | Self::NotFinite { place }
             | Self::OutOfRange { place, .. }
@@ -122,6 +91,7 @@ impl Error {
             | Self::RepeatedObstacleTie { place, .. }
             | Self::UnknownGroup { place }
             | Self::RepeatedNode { place, .. }
+            | Self::SelfCrossing { place, .. }
             | Self::NoArea { place } => place.clone(),
         }
     }

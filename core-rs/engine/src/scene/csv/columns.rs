@@ -4,7 +4,7 @@ use std::fmt::{self, Display, Formatter};
 
 use csv::StringRecord;
 
-use crate::error::Error;
+use crate::error::{Error, TableError};
 use crate::scene::shown;
 
 /// Which columns a kind of table has.
@@ -30,14 +30,14 @@ impl Columns {
         for (place, name) in header.iter().enumerate() {
             let name = name.trim();
             let Some(column) = columns.iter().position(|known| known.eq_ignore_ascii_case(name)) else {
-                return Err(Error::UnknownColumn { column: shown(name), admissible: columns });
+                return Err(TableError::UnknownColumn { column: shown(name), admissible: columns }.into());
             };
             if places[column].replace(place).is_some() {
-                return Err(Error::RepeatedColumn { column: columns[column] });
+                return Err(TableError::RepeatedColumn { column: columns[column] }.into());
             }
         }
         match columns.iter().zip(&places).find(|(name, place)| place.is_none() && required.contains(name)) {
-            Some((column, _)) => Err(Error::MissingColumn { column, example }),
+            Some((column, _)) => Err(TableError::MissingColumn { column, example }.into()),
             None => Ok(Self { shape, places, count: header.len() }),
         }
     }
@@ -45,7 +45,11 @@ impl Columns {
     /// A row of as many fields as the header; its `number` is for refusals.
     pub(super) fn row<'a>(&'a self, record: &'a StringRecord, number: u64) -> Result<Row<'a>, Error> {
         let row = Row { number, columns: self, record };
-        if record.len() == self.count { Ok(row) } else { Err(Error::CutRow { row: row.number, found: record.len(), expected: self.count }) }
+        if record.len() == self.count {
+            Ok(row)
+        } else {
+            Err(TableError::CutRow { row: row.number, found: record.len(), expected: self.count }.into())
+        }
     }
 }
 
@@ -74,7 +78,7 @@ impl<'a> Row<'a> {
     /// The finite number of a column.
     pub(in crate::scene) fn number(&self, column: &'static str) -> Result<f64, Error> {
         let text = self.text(column);
-        let value: f64 = text.parse().map_err(|_| Error::NotANumber { value: shown(text), column, row: self.number })?;
+        let value: f64 = text.parse().map_err(|_| TableError::NotANumber { value: shown(text), column, row: self.number })?;
         if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { place: self.place(column).to_string() }) }
     }
 

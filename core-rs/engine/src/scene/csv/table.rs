@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::columns::{Cell, Row};
-use crate::error::{Counted, Error};
+use crate::error::{Counted, Error, TableError};
 use crate::formation::Formation;
 use crate::scene::validate::{at_most, color, length, within};
 use crate::scene::{limits, shown};
@@ -53,7 +53,7 @@ impl Table {
         }
         if positions[agent].replace(position).is_some() {
             let (agent, keyframe) = (shown(row.text("agent")), shown(row.text("keyframe")));
-            return Err(Error::RepeatedRow { row: row.number, agent, keyframe });
+            return Err(TableError::RepeatedRow { row: row.number, agent, keyframe }.into());
         }
         Ok(())
     }
@@ -62,7 +62,7 @@ impl Table {
     pub(super) fn formation(&self, keyframe: &KeyframeRows) -> Result<Formation, Error> {
         let positions = (0..self.agents.len()).map(|agent| keyframe.positions.get(agent).copied().flatten());
         let found = positions.zip(&self.agents).map(|(position, agent)| {
-            position.ok_or_else(|| Error::MissingRow { agent: shown(&agent.id), keyframe: shown(&keyframe.label) })
+            position.ok_or_else(|| TableError::MissingRow { agent: shown(&agent.id), keyframe: shown(&keyframe.label) })
         });
         let (positions, heights) = found.collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
         Ok(if self.is_spatial { Formation::spatial(positions, heights) } else { Formation::new(positions) })
@@ -109,7 +109,7 @@ impl Table {
         if time.to_bits() == expected.to_bits() {
             Ok(number)
         } else {
-            Err(Error::TimesDiffer { row: row.number, keyframe: shown(label), time, expected })
+            Err(TableError::TimesDiffer { row: row.number, keyframe: shown(label), time, expected }.into())
         }
     }
 

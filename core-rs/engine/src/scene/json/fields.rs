@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 
 use super::split;
 use super::value::Value;
-use crate::error::{Counted, Error};
+use crate::error::{Counted, Error, JsonError};
 use crate::scene::place::Place;
 use crate::scene::shown;
 
@@ -43,7 +43,7 @@ impl<'a, 'p> Value<'a, 'p> {
             let name = Value { text: quoted, place: self.place }.name()?;
             match known.iter().position(|known| *known == name) {
                 Some(index) if fields.values[index].is_none() => fields.values[index] = Some(value),
-                Some(_) => return Err(Error::RepeatedField { field: name.into_owned(), place: self.place.to_string() }),
+                Some(_) => return Err(JsonError::RepeatedField { field: name.into_owned(), place: self.place.to_string() }.into()),
                 None if fields.stranger.is_none() => fields.stranger = Some(shown(&name)),
                 None => {}
             }
@@ -60,7 +60,9 @@ impl<'a, 'p> Value<'a, 'p> {
 impl<'a> Fields<'a, '_> {
     pub(super) fn refuse_strangers(&self) -> Result<(), Error> {
         match &self.stranger {
-            Some(field) => Err(Error::UnknownField { field: field.clone(), admissible: self.known, place: self.place.to_string() }),
+            Some(field) => {
+                Err(JsonError::UnknownField { field: field.clone(), admissible: self.known, place: self.place.to_string() }.into())
+            }
             None => Ok(()),
         }
     }
@@ -71,7 +73,7 @@ impl<'a> Fields<'a, '_> {
     }
 
     pub(super) fn required(&self, name: &'static str) -> Result<Value<'a, '_>, Error> {
-        self.get(name).ok_or_else(|| Error::MissingField { field: name.to_owned(), place: self.place.to_string() })
+        self.get(name).ok_or_else(|| JsonError::MissingField { field: name.to_owned(), place: self.place.to_string() }.into())
     }
 
     pub(super) fn number(&self, name: &'static str, default: f64) -> Result<f64, Error> {

@@ -7,7 +7,7 @@ use serde::de::{self, IgnoredAny};
 
 use super::split::entries;
 use super::unescape::unescape;
-use crate::error::{Counted, Error};
+use crate::error::{Counted, Error, JsonError};
 use crate::scene::place::Place;
 use crate::scene::shown;
 use crate::scene::validate::at_most;
@@ -63,8 +63,9 @@ impl<'a> Value<'a, '_> {
 
     pub(super) fn string(&self) -> Result<String, Error> {
         self.must_start(b"\"", "a text")?;
-        unescape(self.text)
-            .ok_or_else(|| Error::InvalidJson { message: "an escape is half of a character".to_owned(), place: self.place.to_string() })
+        unescape(self.text).ok_or_else(|| {
+            JsonError::InvalidJson { message: "an escape is half of a character".to_owned(), place: self.place.to_string() }.into()
+        })
     }
 
     /// One of the words of `T`; a word of `later` is known to version 1 but not supported.
@@ -91,7 +92,7 @@ impl<'a> Value<'a, '_> {
     /// Exactly `N` slices of a list, as `shape` says.
     pub(super) fn exactly<const N: usize>(&self, shape: &'static str) -> Result<[&'a str; N], Error> {
         self.must_start(b"[", shape)?;
-        self.parts().ok_or_else(|| Error::WrongType { found: shown(self.text), expected: shape, place: self.place.to_string() })
+        self.parts().ok_or_else(|| JsonError::WrongType { found: shown(self.text), expected: shape, place: self.place.to_string() }.into())
     }
 
     /// The slices of a list if there are exactly `N`.
@@ -115,7 +116,7 @@ impl<'a> Value<'a, '_> {
             b'[' => "a list".to_owned(),
             _ => shown(self.text),
         };
-        Error::WrongType { found, expected, place: self.place.to_string() }
+        JsonError::WrongType { found, expected, place: self.place.to_string() }.into()
     }
 
     /// A value is of the type that its first byte says.
@@ -130,7 +131,7 @@ impl<'a> Value<'a, '_> {
             Some((message, _)) => message,
             None => &whole,
         };
-        Error::InvalidJson { message: message.to_owned(), place }
+        JsonError::InvalidJson { message: message.to_owned(), place }.into()
     }
 }
 

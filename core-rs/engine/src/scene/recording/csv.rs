@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::Recording;
 use super::samples::{Sample, Samples};
-use crate::error::Error;
+use crate::error::{Error, RecordingError, TableError};
 use crate::order;
 use crate::scene::csv::columns::{Row, Shape};
 use crate::scene::csv::rows::for_each_row;
@@ -62,7 +62,7 @@ fn sample(row: &Row) -> Result<Sample, Error> {
     let frame = row.number("frame")?;
     within(frame, &limits::FRAME_NUMBER, row.place("frame"))?;
     if frame.fract() != 0.0 {
-        return Err(Error::NotANumber { value: row.text("frame").to_owned(), column: "frame", row: row.number });
+        return Err(TableError::NotANumber { value: row.text("frame").to_owned(), column: "frame", row: row.number }.into());
     }
     Ok(Sample { frame: frame as i64, agent: 0, row: row.number, position, height })
 }
@@ -70,10 +70,10 @@ fn sample(row: &Row) -> Result<Sample, Error> {
 /// From the first frame to the last; the frames between must agree with it.
 fn frame_rate(mut times: Vec<Instant>) -> Result<f64, Error> {
     order::sort_by_key(&mut times, |instant| u128::from(order::of_integer(instant.frame)));
-    let (Some(first), Some(last)) = (times.first(), times.last()) else { return Err(Error::OneFrame) };
+    let (Some(first), Some(last)) = (times.first(), times.last()) else { return Err(RecordingError::OneFrame.into()) };
     let (frames, seconds) = ((last.frame - first.frame) as f64, last.time - first.time);
     if frames == 0.0 {
-        return Err(Error::OneFrame);
+        return Err(RecordingError::OneFrame.into());
     }
     let rate = frames / seconds;
     within(rate, &limits::RECORDING_RATE, format_args!("column time, from row {} to row {}", first.row, last.row))?;
@@ -81,7 +81,7 @@ fn frame_rate(mut times: Vec<Instant>) -> Result<f64, Error> {
     for instant in &times {
         let expected = first.time + (instant.frame - first.frame) as f64 / rate;
         if (instant.time - expected).abs() > UNEVEN / rate {
-            return Err(Error::UnevenFrames { frame: instant.frame, time: instant.time, expected, row: instant.row });
+            return Err(RecordingError::UnevenFrames { frame: instant.frame, time: instant.time, expected, row: instant.row }.into());
         }
     }
     Ok(rate)

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::{Numbering, Recording};
-use crate::error::{Counted, Error};
+use crate::error::{Counted, Error, RecordingError};
 use crate::order;
 use crate::scene::validate::{at_most, length};
 use crate::scene::{limits, shown};
@@ -52,7 +52,7 @@ impl Samples {
         let frame_count = ((last - first) / step) as usize + 1;
         let agent_count = self.agents.len();
         if agent_count.saturating_mul(frame_count) > limits::SAMPLES {
-            return Err(Error::TooManySamples { agent_count, frames: frame_count, limit: limits::SAMPLES });
+            return Err(RecordingError::TooManySamples { agent_count, frames: frame_count, limit: limits::SAMPLES }.into());
         }
         let at = |sample: &Sample| ((sample.frame - first) / step) as usize;
         self.without_gaps(at)?;
@@ -86,16 +86,16 @@ impl Samples {
 
     fn once_each(&self) -> Result<(), Error> {
         match self.rows.windows(2).find(|two| (two[0].frame, two[0].agent) == (two[1].frame, two[1].agent)) {
-            Some(two) => Err(Error::RepeatedSample { row: two[1].row, agent: self.name(&two[1]), frame: two[1].frame }),
+            Some(two) => Err(RecordingError::RepeatedSample { row: two[1].row, agent: self.name(&two[1]), frame: two[1].frame }.into()),
             None => Ok(()),
         }
     }
 
     fn numbering(&self) -> Result<Numbering, Error> {
-        let (Some(first), Some(last)) = (self.rows.first(), self.rows.last()) else { return Err(Error::OneFrame) };
+        let (Some(first), Some(last)) = (self.rows.first(), self.rows.last()) else { return Err(RecordingError::OneFrame.into()) };
         let step = self.rows.windows(2).map(|two| two[1].frame - two[0].frame).fold(0, greatest_common_divisor);
         if step == 0 {
-            return Err(Error::OneFrame);
+            return Err(RecordingError::OneFrame.into());
         }
         Ok(Numbering { first: first.frame, step, last: last.frame })
     }
@@ -107,7 +107,7 @@ impl Samples {
             match last[sample.agent as usize].replace(sample) {
                 Some(before) if at(sample) > at(before) + 1 => {
                     let (agent, frame, back) = (self.name(sample), before.frame, sample.frame);
-                    return Err(Error::Gap { agent, frame, back, row: sample.row });
+                    return Err(RecordingError::Gap { agent, frame, back, row: sample.row }.into());
                 }
                 _ => {}
             }

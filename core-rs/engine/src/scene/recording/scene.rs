@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Recording;
-use crate::error::Error;
+use crate::error::{Error, RecordingError};
 use crate::formation::Formation;
 use crate::order;
 use crate::scene::csv::{Read, checked, fitted_stage, is_whole_number};
@@ -23,7 +23,7 @@ impl Recording {
         frames.dedup();
         let agents = self.agents_at(&frames);
         if agents.is_empty() {
-            return Err(Error::NobodyThere);
+            return Err(RecordingError::NobodyThere.into());
         }
         let mut notes = self.notes.clone();
         let left_out = self.agents.len() - agents.len();

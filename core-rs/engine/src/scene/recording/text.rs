@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::Recording;
 use super::samples::{Sample, Samples};
-use crate::error::Error;
+use crate::error::{Error, RecordingError, TableError};
 use crate::scene::validate::{length, within};
 use crate::scene::{limits, shown};
 
@@ -51,7 +51,7 @@ pub(super) fn read(text: &str) -> Result<Recording, Error> {
             let fields: Vec<&str> = line.split_ascii_whitespace().collect();
             let expected = *field_count.get_or_insert(fields.len().max(head.field_count()));
             if fields.len() != expected {
-                return Err(Error::CutRow { row: number, found: fields.len(), expected });
+                return Err(TableError::CutRow { row: number, found: fields.len(), expected }.into());
             }
             let row = TextRow { fields: &fields, number, head: &head };
             let sample = row.sample()?;
@@ -59,7 +59,7 @@ pub(super) fn read(text: &str) -> Result<Recording, Error> {
             samples.add(row.field(0).unwrap_or(""), sample)?;
         }
     }
-    let frame_rate = head.frame_rate.ok_or(Error::NoFrameRate)?;
+    let frame_rate = head.frame_rate.ok_or(RecordingError::NoFrameRate)?;
     let mut notes = Vec::new();
     if has_heights {
         notes.push("Heights are left out: in recordings of people they are those of their heads.".to_owned());
@@ -70,7 +70,7 @@ pub(super) fn read(text: &str) -> Result<Recording, Error> {
 impl Head {
     fn learn(&mut self, comment: &str, row: u64) -> Result<(), Error> {
         if let Some(text) = rate_of(comment) {
-            let rate = text.parse().map_err(|_| Error::NotANumber { value: shown(text), column: "framerate", row })?;
+            let rate = text.parse().map_err(|_| TableError::NotANumber { value: shown(text), column: "framerate", row })?;
             within(rate, &limits::RECORDING_RATE, format_args!("row {row}, framerate"))?;
             self.frame_rate = Some(rate);
         }
@@ -125,7 +125,7 @@ impl<'a> TextRow<'a> {
     fn number(&self, column: usize) -> Result<f64, Error> {
         let text = self.field(column).unwrap_or("");
         let (row, column) = (self.number, COLUMNS[column]);
-        let value: f64 = text.parse().map_err(|_| Error::NotANumber { value: shown(text), column, row })?;
+        let value: f64 = text.parse().map_err(|_| TableError::NotANumber { value: shown(text), column, row })?;
         if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { place: format!("row {row}, column {column}") }) }
     }
 
@@ -133,7 +133,7 @@ impl<'a> TextRow<'a> {
         let frame = self.number(1)?;
         within(frame, &limits::FRAME_NUMBER, format_args!("row {}, column frame", self.number))?;
         if frame.fract() != 0.0 {
-            return Err(Error::NotANumber { value: shown(self.field(1).unwrap_or("")), column: "frame", row: self.number });
+            return Err(TableError::NotANumber { value: shown(self.field(1).unwrap_or("")), column: "frame", row: self.number }.into());
         }
         let position = DVec2::new(self.number(2)?, self.number(3)?) * self.head.unit;
         within(position.x, &limits::COORDINATE, format_args!("row {}, column x", self.number))?;
