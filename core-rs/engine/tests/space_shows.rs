@@ -116,3 +116,79 @@ fn planes_that_would_meet_in_the_air_keep_their_distance() {
         assert!(farthest(&performance.formation_at(time), due) < 1e-9 * 30.0);
     }
 }
+
+/// Two groups within one and a third beside it, and somebody alone.
+fn by_groups(positions: &[Vec<[f64; 3]>], join: &str, method: &str) -> Performance {
+    let keyframes: Vec<Value> = (0..).zip(positions).map(|(k, places)| json!({ "time": 4 * k, "positions": places })).collect();
+    let node = json!({ "group": [0], "method": "linear", "blend": { "method": "polar", "amount": 0.5 } });
+    let segment = json!({ "method": method, "hierarchy": true, "nodes": [node] });
+    let scene = json!({
+        "format": "eigenform", "version": 1, "frameRate": 10, "join": join, "keyframes": keyframes,
+        "groups": [{ "members": [], "children": [{ "members": [0, 1, 2] }, { "members": [3, 4, 5] }] }, { "members": [6, 7, 8] }],
+        "segments": vec![segment; positions.len() - 1],
+    });
+    perform(&read_json(&scene.to_string()).expect("a valid scene")).expect("a show that can be performed")
+}
+
+/// Ten agents at four keyframes, nothing alike; `height` of an agent at a keyframe.
+fn climbing(height: impl Fn(f64) -> f64) -> Vec<Vec<[f64; 3]>> {
+    let place = |k: u32, agent: u32| {
+        let angle = 2.4 * f64::from(agent) + 1.1 * f64::from(k * k);
+        let away = 3.0 + 1.3 * f64::from((3 * agent + k) % 7);
+        [away * angle.cos(), away * angle.sin(), height(f64::from(k) + 0.37 * f64::from(agent))]
+    };
+    (0..4).map(|k| (0..10).map(|agent| place(k, agent)).collect()).collect()
+}
+
+const BY_GROUPS: [(&str, &str); 6] = [
+    ("separate", "spectral"),
+    ("separate", "polar"),
+    ("smooth", "spectral"),
+    ("smooth", "shared"),
+    ("smooth", "linear"),
+    ("smooth", "auto"),
+];
+
+#[test]
+fn groups_that_climb_reach_every_keyframe_in_all_three_numbers() {
+    let positions = climbing(|seat| 4.0 + 3.0 * (2.3 * seat).sin());
+    for (join, method) in BY_GROUPS {
+        let performance = by_groups(&positions, join, method);
+        for (k, keyframe) in performance.scene().main_track().keyframes.iter().enumerate() {
+            let at = performance.formation_at(4.0 * k as f64);
+            assert!(farthest(&at, &keyframe.positions) < 1e-9 * 30.0, "{join} {method} at keyframe {k}");
+        }
+        for (segment, performed) in performance.segments().iter().enumerate() {
+            let motion = &performed.motion;
+            let heights = motion.heights().expect("they climb");
+            // No method takes anybody farther than a turned formation of that extent reaches, joins overshoot by a fraction.
+            assert!(motion.positions().iter().all(|place| place.length() < 60.0), "{join} {method}");
+            assert!(heights.iter().all(|height| height.abs() < 60.0), "{join} {method}");
+            for (end, k) in [(0, 0), (1, motion.times().len() - 1)] {
+                let found = Formation::spatial(motion.sample(k).to_vec(), heights[k * 10..(k + 1) * 10].to_vec());
+                let due = &performance.scene().main_track().keyframes[segment + end].positions;
+                assert!(farthest(&found, due) < 1e-9 * 30.0, "{join} {method}: end {end} of segment {segment}");
+            }
+        }
+    }
+}
+
+#[test]
+fn groups_that_are_level_move_as_on_the_plane() {
+    let level = climbing(|_| 2.5);
+    let keyframes: Vec<Value> = level.iter().map(|places| places.iter().map(|[x, y, _]| json!([x, y])).collect()).collect();
+    for (join, method) in BY_GROUPS {
+        let in_space = by_groups(&level, join, method);
+        let mut scene = in_space.scene().clone();
+        for (keyframe, places) in scene.tracks[0].keyframes.iter_mut().zip(&keyframes) {
+            keyframe.positions =
+                std::sync::Arc::new(Formation::from(serde_json::from_value::<Vec<[f64; 2]>>(places.clone()).expect("pairs")));
+        }
+        let on_the_plane = perform(&scene).expect("a show that can be performed");
+        for (one, other) in in_space.segments().iter().zip(on_the_plane.segments()) {
+            assert_eq!(one.motion.positions(), other.motion.positions(), "{join} {method}");
+            let heights = one.motion.heights().expect("positions have three numbers");
+            assert!(heights.iter().all(|height| (height - 2.5).abs() < 1e-9), "{join} {method}");
+        }
+    }
+}
