@@ -181,3 +181,26 @@ fn rest_of(scene: &Scene) -> String {
     }
     value.to_string()
 }
+
+/// Shows of every kind, with what they come to: the browser's engine is held to the same numbers (`web/src/engine/agreement.test.ts`).
+#[test]
+fn the_motions_on_record_are_performed_again() {
+    let cases: serde_json::Value = serde_json::from_str(include_str!("agreement.json")).expect("the record is JSON");
+    for case in cases.as_array().expect("a list") {
+        let performance = perform(&read_json(&case["scene"].to_string()).expect("a valid scene")).expect("a show that can be performed");
+        let motion: serde_json::Value = serde_json::from_str(&performance.to_json()).expect("JSON");
+        let [found, recorded] = [&motion["positions"], &case["positions"]].map(numbers);
+        assert_eq!(found.len(), recorded.len(), "{}", case["name"]);
+        let extent = 2.0 * recorded.iter().copied().map(f64::abs).fold(0.0, f64::max);
+        let off = found.iter().zip(&recorded).map(|(found, recorded)| (found - recorded).abs()).fold(0.0, f64::max);
+        // What the architecture promises between machines.
+        assert!(off < 1e-8 * extent, "{}: {off:e} of {extent}", case["name"]);
+    }
+}
+
+fn numbers(value: &serde_json::Value) -> Vec<f64> {
+    match value {
+        serde_json::Value::Array(values) => values.iter().flat_map(numbers).collect(),
+        number => vec![number.as_f64().expect("a number")],
+    }
+}
