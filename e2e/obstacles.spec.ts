@@ -58,3 +58,41 @@ test("a drag makes a circle, clicks a polygon, and agents go around", async ({ s
     expect(Math.min(...distances)).toBeGreaterThanOrEqual(0.5 - 1e-3);
   });
 });
+
+test("an agent tied to an obstacle by hand goes around it and holds its clearance", async ({ studio, page }) => {
+  await studio.makeShow();
+  await studio.tool("Obstacle").click();
+  await studio.drag([
+    [0.3, 0.525],
+    [0.3, 0.55],
+  ]);
+  // The first agent, whose way leads straight through it.
+  await studio.tool("Tie").click();
+  await studio.drag([
+    [0.35, 0.7],
+    [0.33, 0.6],
+    [0.3, 0.525],
+  ]);
+  await expect(studio.inspector.getByRole("heading", { name: "Tied to it" })).toBeVisible();
+  const { adjacency, obstacles } = await studio.sceneFile();
+  const [agent] = adjacency?.obstacleTies?.[0] ?? [];
+  const circle = obstacles?.[0];
+  if (agent === undefined || circle?.kind !== "circle") throw new Error("an agent is tied to a circle");
+
+  await studio.planned();
+  await studio.transitions.first().click();
+  const measures = studio.inspector.getByRole("region", { name: "Measures" });
+  await expect(measures.getByRole("term").filter({ hasText: "Held clearance" })).toBeVisible();
+  await studio.button("Export").click();
+  const text = await textOf(await studio.downloadOf(() => studio.button("Download Motion, JSON").click()));
+  await page.keyboard.press("Escape");
+  const { positions } = JSON.parse(text) as { positions: [number, number][][] };
+  const [x, y] = circle.center;
+  const clearances = positions.map((places) => {
+    const at = places[agent] ?? [Number.NaN, Number.NaN];
+    return Math.hypot(at[0] - x, at[1] - y) - circle.radius;
+  });
+  const ends = Math.min(clearances[0] ?? Number.NaN, clearances.at(-1) ?? Number.NaN);
+  expect(ends).toBeGreaterThan(0.5);
+  expect(Math.min(...clearances)).toBeGreaterThanOrEqual(ends - 1e-3);
+});

@@ -82,10 +82,8 @@ export function createMotionPainter(
       const segment = show.segmentAt(time);
       const t = segment === null ? 0 : (time - show.startOf(segment)) / (show.endOf(segment) - show.startOf(segment));
       drawTies(context, frame, scenery.ties, t, picture.isTying ? "all" : picture.isMarked);
-    }
-    if (picture.isTying) {
       const { cuts, obstacleTies } = track.keyframes[show.keyframeBefore(time)]?.adjacency ?? scene.adjacency;
-      drawCuts(context, frame, cuts);
+      if (picture.isTying) drawCuts(context, frame, cuts);
       if (obstacleTies.length > 0) inTheWay()?.drawObstacleTies(context, frame, scene.obstacles, obstacleTies);
     }
     if (layers.ghosts) drawAllPaths(context);
