@@ -242,6 +242,28 @@ fn check_counts() {
 }
 
 #[test]
+fn what_a_scene_cannot_have_is_a_note_with_what_helps() {
+    let desk = Desk::new();
+    let stands = r#""stage": { "width": 4, "depth": 2 }, "obstacles": [{ "kind": "circle", "center": [0, 0], "radius": 1 }],"#;
+    let positions = r#"{ "positions": [[0, 0], [1, 1], [-1, 1], [2, 0]] }"#;
+    desk.put(
+        "small.json",
+        &format!(r#"{{ "format": "eigenform", "version": 1, "minimumDistance": 5, {stands} "keyframes": [{positions}] }}"#),
+    );
+    for verb in ["check", "measure"] {
+        let outcome = desk.run(&[verb, "small.json"]);
+        assert_eq!(outcome.code, 0);
+        let notes: Vec<&str> = outcome.stderr.lines().collect();
+        assert_eq!(notes.len(), 2, "{notes:?}");
+        assert!(
+            notes[0].starts_with("note: a stage of 4 × 2 m holds at most 2 agents 5 m apart, and the scene has 4; 2.00 m fits"),
+            "{notes:?}"
+        );
+        assert!(notes[1].starts_with("note: agent 0 stands within obstacle 0; "), "{notes:?}");
+    }
+}
+
+#[test]
 fn a_dash_is_standard_input() {
     let desk = Desk::new();
     for input in ["show.json", "keyframes.csv"] {

@@ -33,6 +33,20 @@ pub enum ObstacleShape {
 }
 
 impl ObstacleShape {
+    /// Whether a place is inside.
+    pub fn contains(&self, place: DVec2) -> bool {
+        match self {
+            Self::Circle { center, radius } => center.distance_squared(place) < radius * radius,
+            Self::Polygon { points } => {
+                // A ray to the right leaves an odd number of times.
+                let is_left_of = |(from, to): (&DVec2, &DVec2)| {
+                    (from.y > place.y) != (to.y > place.y) && place.x < from.x + (to.x - from.x) * (place.y - from.y) / (to.y - from.y)
+                };
+                sides(points).filter(|side| is_left_of(*side)).count() % 2 == 1
+            }
+        }
+    }
+
     /// Its middle: of a polygon that of the area.
     pub fn center(&self) -> DVec2 {
         match self {
@@ -47,6 +61,25 @@ impl ObstacleShape {
             }
         }
     }
+}
+
+/// The corners that each side of a polygon runs between.
+fn sides(points: &[DVec2]) -> impl Iterator<Item = (&DVec2, &DVec2)> {
+    points.iter().zip(points.iter().cycle().skip(1))
+}
+
+/// The first two sides of a polygon that cross within both, by the number of the corner that each starts from.
+pub fn crossing(points: &[DVec2]) -> Option<(usize, usize)> {
+    let turn = |a: DVec2, b: DVec2, c: DVec2| (b - a).perp_dot(c - a);
+    let are_apart = |(from, to): (&DVec2, &DVec2), p: DVec2, q: DVec2| turn(*from, *to, p) * turn(*from, *to, q) < 0.0;
+    for (first, side) in sides(points).enumerate() {
+        let mut others = sides(points).enumerate().skip(first + 2);
+        let crossed = others.find(|(_, other)| are_apart(side, *other.0, *other.1) && are_apart(*other, *side.0, *side.1));
+        if let Some((second, _)) = crossed {
+            return Some((first, second));
+        }
+    }
+    None
 }
 
 /// The area of a polygon, m²: positive counterclockwise, 0 for fewer than three corners.
@@ -71,6 +104,32 @@ mod tests {
             assert!(center(&corners).distance(DVec2::splat(5.0 / 6.0)) < 1e-15);
             corners.reverse();
         }
+    }
+
+    #[test]
+    fn sides_that_cross_are_found_and_those_that_meet_are_not() {
+        let check = |corners: &[[f64; 2]], expected: Option<(usize, usize)>| {
+            let corners: Vec<DVec2> = corners.iter().copied().map(DVec2::from_array).collect();
+            assert_eq!(crossing(&corners), expected, "{corners:?}");
+        };
+        check(&[[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [0.0, 2.0]], None);
+        check(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]], None);
+        check(&[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 3.0]], Some((0, 2)));
+        check(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0], [4.0, 3.0]], Some((1, 3)));
+        // A corner on another side, and one given twice.
+        check(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 4.0]], None);
+        check(&[[0.0, 0.0], [4.0, 0.0], [4.0, 0.0], [4.0, 2.0]], None);
+    }
+
+    #[test]
+    fn a_place_is_inside_a_notched_outline_or_not() {
+        let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]].map(DVec2::from_array).to_vec();
+        let shapes = [ObstacleShape::Polygon { points: corners }, ObstacleShape::Circle { center: DVec2::splat(0.5), radius: 1.2 }];
+        let inside = |x: f64, y: f64| shapes.each_ref().map(|shape| shape.contains(DVec2::new(x, y)));
+        assert_eq!(
+            [inside(0.5, 0.5), inside(1.5, 1.1), inside(0.5, 1.8), inside(-0.5, 0.5)],
+            [[true, true], [false, true], [true, false], [false, true]]
+        );
     }
 
     #[test]

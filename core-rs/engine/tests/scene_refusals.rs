@@ -200,6 +200,8 @@ fn parts_that_do_not_fit_together_are_refused() {
     check(&with_field("obstacles", line), "no-area", "obstacles[0].points");
     check(&with_field("obstacles", &line.replace(", [3, 3]", "")), "no-area", "obstacles[0].points");
     check(&with_field("obstacles", r#"[{ "kind": "polygon", "points": [] }]"#), "no-area", "obstacles[0].points");
+    let bow = r#"[{ "kind": "polygon", "points": [[0, 0], [4, 4], [4, 0], [0, 3]] }]"#;
+    check(&with_field("obstacles", bow), "self-crossing", "obstacles[0].points");
     let grouped = |nodes: &str| with_segment(&format!(r#""nodes": {nodes} }}], "groups": [{{ "children": [{{}}]"#));
     check(&grouped(r#"[{ "group": [1], "method": "linear" }]"#), "unknown-group", "segments[0].nodes[0].group");
     check(&grouped(r#"[{ "group": [0, 1], "method": "linear" }]"#), "unknown-group", "segments[0].nodes[0].group");

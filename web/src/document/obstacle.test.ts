@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import type { Point } from "./formation";
-import { distanceTo, middleOf, nearestOn, shapeMoved } from "./obstacle";
+import { crossesItself, distanceTo, middleOf, nearestOn, shapeMoved } from "./obstacle";
 import type { ObstacleShape } from "./scene";
 
 const CIRCLE: ObstacleShape = { kind: "circle", center: [2, 1], radius: 2 };
@@ -44,3 +44,17 @@ test("a moved outline is the same elsewhere", () => {
     expect(distanceTo(shapeMoved(shape, [3, -2]), [10, 3])).toBeCloseTo(distanceTo(shape, [7, 5]), 9);
   }
 });
+
+test.each<readonly [string, readonly Point[], boolean]>([
+  ["an L", ELL.kind === "polygon" ? ELL.points : [], false],
+  ["a bow whose first side crosses", bow([4, 4], [4, 0], [0, 3]), true],
+  ["a bow whose last side crosses", bow([4, 0], [0, 3], [4, 3]), true],
+  ["a corner on another side", bow([4, 0], [4, 4], [2, 0], [0, 4]), false],
+  ["a corner twice", bow([4, 0], [4, 0], [4, 2]), false],
+])("%s crosses itself or not", (_, points, crosses) => {
+  expect(crossesItself(points)).toBe(crosses);
+});
+
+function bow(...points: Point[]): readonly Point[] {
+  return [[0, 0], ...points];
+}

@@ -45,6 +45,20 @@ export function nearestOn(shape: ObstacleShape, at: Point): Point {
   return best;
 }
 
+/** Whether any two sides of a polygon cross. */
+export function crossesItself(points: readonly Point[]): boolean {
+  const sides = sidesOf(points);
+  return sides.some((side, index) =>
+    sides.slice(index + 2).some((other) => arePartedBy(side, other) && arePartedBy(other, side)),
+  );
+}
+
+/** Whether a line's ends lie on either side of another. */
+function arePartedBy([a, b]: readonly [Point, Point], [from, to]: readonly [Point, Point]): boolean {
+  const turn = (p: Point) => (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+  return turn(from) * turn(to) < 0;
+}
+
 function isInside(shape: ObstacleShape, [x, y]: Point): boolean {
   if (shape.kind === "circle") return Math.hypot(x - shape.center[0], y - shape.center[1]) < shape.radius;
   let isOdd = false;

@@ -58,6 +58,14 @@ test("two corners are no obstacle: it is said, and the polygon stays open", () =
   expect(shapes()).toHaveLength(1);
 });
 
+test("sides that cross are no obstacle: it is said what helps, and the polygon stays open", () => {
+  clicks([0, 0], [4, 4], [4, 0], [0, 3]);
+  bench.toolbox.placeInMiddle();
+  expect(shapes()).toEqual([]);
+  expect(bench.warned).toEqual(["That is no obstacle yet."]);
+  expect(bench.toolbox.overlay.value).toMatchObject({ kind: "outline" });
+});
+
 test("Escape gives up the polygon under way and nothing else", () => {
   clicks([0, 0], [4, 0]);
   expect(bench.toolbox.cancel()).toBe(true);

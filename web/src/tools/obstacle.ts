@@ -1,6 +1,6 @@
 import { addObstacle, isOutline, setObstacleShape } from "../document/commands/obstacles";
 import type { Point } from "../document/formation";
-import { obstacleLabel, shapeMoved } from "../document/obstacle";
+import { crossesItself, obstacleLabel, shapeMoved } from "../document/obstacle";
 import type { ObstacleShape } from "../document/scene";
 import { NOTHING } from "../document/selection";
 import { snapOf, snapPoint } from "../document/snap";
@@ -135,14 +135,17 @@ function isAtFirst(corners: readonly Point[], event: Pointing, editor: Editor): 
   return Math.hypot(event.at[0] - first[0], event.at[1] - first[1]) <= metersOf(CLOSING, editor);
 }
 
-/** The polygon as it is; what encloses nothing is said and stays open. */
+/** The polygon as it is; what encloses nothing, or crosses itself, is said and stays open. */
 function close(corners: readonly Point[], editor: Editor): ObstacleState {
   const shape: ObstacleShape = { kind: "polygon", points: corners };
   if (isOutline(shape)) {
     place(shape, editor);
     return IDLE;
   }
-  editor.warn("That is no obstacle yet.", "A polygon takes three corners that are not in one line.");
+  const help = crossesItself(corners)
+    ? "Two of its sides cross; give the corners in the order in which they lie around it."
+    : "A polygon takes three corners that are not in one line.";
+  editor.warn("That is no obstacle yet.", help);
   return { kind: "cornering", corners, at: corners.at(-1) ?? [0, 0], isPressed: false };
 }
 

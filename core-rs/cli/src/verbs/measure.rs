@@ -6,7 +6,7 @@ use eigenform::choice::{Choice, MethodName, Timing};
 use eigenform::edits::Blocked;
 use eigenform::measure::Measures;
 use eigenform::perform::{Avoided, Candidate, Performed, perform};
-use eigenform::scene::{Opened, Scene, Segment, TransitionSpec};
+use eigenform::scene::{Opened, Scene, Segment, TransitionSpec, cautions};
 use serde::Serialize;
 
 use crate::arguments::Measure;
@@ -59,12 +59,13 @@ struct Options {
 }
 
 pub fn run(arguments: &Measure) -> Result<Vec<String>, Failure> {
-    let Opened { scene, notes, .. } = input::read(&arguments.source)?;
+    let Opened { scene, mut notes, .. } = input::read(&arguments.source)?;
     let performance = perform(&scene)?;
     let segments = transitions(&scene).zip(performance.segments()).map(|(transition, performed)| report(transition, performed));
     let report = Report { segments: segments.collect() };
     let json = || serde_json::to_string(&report).expect("numbers and words are JSON");
     output::print(&if arguments.json { json() } else { table(&report) })?;
+    notes.extend(cautions(&scene));
     Ok(notes)
 }
 

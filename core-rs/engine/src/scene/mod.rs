@@ -4,6 +4,7 @@
 //! sizes are checked before anything is allocated, and a scene that exists is valid.
 //! Parts that the engine caches by identity are shared (`Arc`): an unchanged part is the same allocation.
 
+mod cautions;
 mod csv;
 mod defaults;
 pub mod document;
@@ -22,6 +23,7 @@ mod validate;
 
 use std::sync::Arc;
 
+pub use cautions::cautions;
 pub use csv::{Read, Written, read_csv, write_csv};
 pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS, DEFAULT_TENSION};
 pub use groups::group_ties;

@@ -14,7 +14,8 @@ pub(super) fn check(scene: &Scene) -> Result<(), Error> {
     product_in_space(scene)
 }
 
-/// The paper's product of powers is printed for the plane.
+/// The paper's product of powers is printed for the plane: it weighs the angles of coefficients, unwrapped from keyframe to keyframe.
+/// Directions in space have no such angles; a product of their turns would be a formula of ours under the paper's name.
 fn product_in_space(scene: &Scene) -> Result<(), Error> {
     let is_in_space = scene.main_track().keyframes.iter().any(|keyframe| !keyframe.positions.places().is_level());
     match scene.join {

@@ -40,6 +40,18 @@ test.each<readonly [string, ObstacleShape]>([
       ],
     },
   ],
+  [
+    "a bow",
+    {
+      kind: "polygon",
+      points: [
+        [0, 0],
+        [4, 4],
+        [4, 0],
+        [0, 3],
+      ],
+    },
+  ],
   ["more corners than a scene may hold", { kind: "polygon", points: Array.from({ length: 201 }, corner) }],
 ])("%s is no obstacle", (_, shape) => {
   expect(addObstacle(shape).apply(two)).toBe(two);

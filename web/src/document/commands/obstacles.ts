@@ -1,4 +1,5 @@
 import { clipText, LIMITS } from "../limits";
+import { crossesItself } from "../obstacle";
 import type { AdjacencySpec, Obstacle, ObstacleShape, Scene } from "../scene";
 import type { Command } from "../store";
 import { changeScope, WHOLE_SCENE } from "./ties";
@@ -44,7 +45,7 @@ export function deleteObstacle(index: number): Command {
   };
 }
 
-/** Whether a shape encloses anything, within what a scene may hold. */
+/** Whether a shape goes around something once, within what a scene may hold. */
 export function isOutline(shape: ObstacleShape): boolean {
   const isAdmissible = (value: number) => Math.abs(value) <= LIMITS.coordinate;
   if (shape.kind === "circle") {
@@ -52,7 +53,8 @@ export function isOutline(shape: ObstacleShape): boolean {
   }
   const { points } = shape;
   const isCounted = points.length >= 3 && points.length <= LIMITS.obstaclePoints;
-  return isCounted && points.flat().every(isAdmissible) && Math.abs(areaOf(points)) > 0;
+  const isAround = Math.abs(areaOf(points)) > 0 && !crossesItself(points);
+  return isCounted && points.flat().every(isAdmissible) && isAround;
 }
 
 function areaOf(points: readonly (readonly [number, number])[]): number {

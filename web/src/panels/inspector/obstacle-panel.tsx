@@ -1,5 +1,5 @@
 import { tiesTo, tieToObstacle, untieFromObstacle } from "../../document/commands/obstacle-ties";
-import { deleteObstacle, renameObstacle, setObstacleShape } from "../../document/commands/obstacles";
+import { deleteObstacle, isOutline, renameObstacle, setObstacleShape } from "../../document/commands/obstacles";
 import { WHOLE_SCENE } from "../../document/commands/ties";
 import type { Point } from "../../document/formation";
 import { middleOf, obstacleLabel, shapeMoved } from "../../document/obstacle";
@@ -17,15 +17,20 @@ import { PlaceBoxes } from "./place-boxes";
 import { FACTOR, isLongUnit, sizeQuantity } from "./quantities";
 import { Section } from "./section";
 
+const NO_OUTLINE = "Its sides would cross, or go around nothing, or lie too far away.";
+
 /** Something to go around: its name, where it is and how large, to the number. */
 export function ObstaclePanel({ index }: { index: number }) {
-  const { document } = useStudio();
+  const { document, messages } = useStudio();
   const scene = document.scene.value;
   const obstacle = scene.obstacles[index];
   if (!obstacle) return null;
   const { shape } = obstacle;
   const { units } = scene.stage;
-  const set = (changed: ObstacleShape) => document.perform(setObstacleShape(index, changed));
+  const set = (changed: ObstacleShape) => {
+    if (isOutline(changed)) document.perform(setObstacleShape(index, changed));
+    else messages.say({ tone: "problem", title: "The obstacle stays as it was.", text: NO_OUTLINE });
+  };
   const [x, y] = middleOf(shape);
   return (
     <>

@@ -1,9 +1,9 @@
-//! Obstacles: few enough, where coordinates are, and with an inside.
+//! Obstacles: few enough, where coordinates are, and with one inside.
 
 use super::{at_most, length, within};
 use crate::error::{Counted, Error};
 use crate::formation::Formation;
-use crate::obstacle::{ObstacleShape, signed_area};
+use crate::obstacle::{ObstacleShape, crossing, signed_area};
 use crate::scene::place::Place;
 use crate::scene::{Obstacle, limits};
 use glam::DVec2;
@@ -31,7 +31,13 @@ fn polygon(points: &[DVec2], place: &Place) -> Result<(), Error> {
     let extent = Formation::new(points.to_vec()).extent();
     // Fewer corners than a polygon has enclose nothing either.
     let has_area = signed_area(points).abs() > limits::LEAST_AREA * extent * extent;
-    if has_area { Ok(()) } else { Err(Error::NoArea { place: place.to_string() }) }
+    if !has_area {
+        return Err(Error::NoArea { place: place.to_string() });
+    }
+    match crossing(points) {
+        Some((first, second)) => Err(Error::SelfCrossing { first, second, place: place.to_string() }),
+        None => Ok(()),
+    }
 }
 
 fn coordinates(point: DVec2, place: &Place) -> Result<(), Error> {

@@ -1,0 +1,117 @@
+//! What a valid scene asks for and cannot have: told, never refused.
+
+use super::{Scene, Stage};
+use crate::obstacle::ObstacleShape;
+
+/// More agents in one obstacle are counted, not listed.
+const MOST_LISTED: usize = 5;
+
+/// A sentence each: what, where and what helps.
+pub fn cautions(scene: &Scene) -> Vec<String> {
+    crowding(scene).into_iter().chain(covered(scene)).collect()
+}
+
+/// A minimum distance that the stage cannot hold, for whoever stays on it: it is no wall.
+fn crowding(scene: &Scene) -> Option<String> {
+    let Scene { stage: Stage { width, depth, .. }, minimum_distance: distance, .. } = *scene;
+    let track = scene.main_track();
+    let is_level = track.keyframes.iter().all(|keyframe| keyframe.positions.places().is_level());
+    let count = track.agents.len();
+    let most = most_apart([width, depth], distance);
+    (is_level && most < count).then(|| {
+        let fitting = widest_apart([width, depth], count);
+        let agents = if most == 1 { "agent" } else { "agents" };
+        format!(
+            "a stage of {width} × {depth} m holds at most {most} {agents} {distance} m apart, and the scene has {count}; \
+             {fitting:.2} m fits, or a larger stage (minimumDistance)"
+        )
+    })
+}
+
+/// How many places of a rectangle can be `distance` apart, at most (Oler's bound).
+fn most_apart([width, depth]: [f64; 2], distance: f64) -> usize {
+    if distance <= 0.0 {
+        return usize::MAX;
+    }
+    let [w, d] = [width / distance, depth / distance];
+    // As a hexagonal lattice fills the plane, and half a row more along the edges; a float ends at the greatest integer.
+    (2.0 / 3.0_f64.sqrt() * w * d + (w + d) + 1.0 + 1e-9) as usize
+}
+
+/// A distance at which so many places surely fit: the widest of square grids, in whole centimeters.
+fn widest_apart([width, depth]: [f64; 2], count: usize) -> f64 {
+    let spacing = |rows: usize| {
+        let columns = count.div_ceil(rows);
+        let along = |length: f64, places: usize| if places > 1 { length / (places - 1) as f64 } else { f64::INFINITY };
+        along(width, columns).min(along(depth, rows))
+    };
+    let widest = (1..=count).map(spacing).fold(0.0, f64::max);
+    (widest * 100.0 + 1e-9).floor() / 100.0
+}
+
+/// Keyframes that have agents within obstacles.
+fn covered(scene: &Scene) -> impl Iterator<Item = String> {
+    let keyframes = scene.main_track().keyframes.iter().enumerate();
+    keyframes.flat_map(|(index, keyframe)| {
+        let plan = keyframe.positions.positions();
+        let within = move |shape: &ObstacleShape| -> Vec<usize> { (0..plan.len()).filter(|agent| shape.contains(plan[*agent])).collect() };
+        let agents = scene.obstacles.iter().map(move |obstacle| within(&obstacle.shape)).enumerate();
+        agents.filter(|(_, agents)| !agents.is_empty()).map(move |(obstacle, agents)| {
+            let place = format!("keyframes[{index}].positions[{}]", agents[0]);
+            format!("{} within obstacle {obstacle}; a keyframe is never changed, so move them or the obstacle ({place})", listed(&agents))
+        })
+    })
+}
+
+fn listed(agents: &[usize]) -> String {
+    match agents {
+        [agent] => format!("agent {agent} stands"),
+        _ if agents.len() > MOST_LISTED => format!("{} agents stand", agents.len()),
+        _ => {
+            let numbers: Vec<String> = agents.iter().map(usize::to_string).collect();
+            format!("agents {} stand", numbers.join(", "))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use glam::DVec2;
+
+    use super::*;
+    use crate::formation::Formation;
+    use crate::scene::{Agent, Obstacle};
+
+    #[test]
+    fn no_lattice_holds_more_than_is_said_and_what_fits_does() {
+        for (stage, count) in [([6.0, 4.0], 35), ([6.0, 4.0], 6), ([10.0, 1e-3], 11), ([3.0, 3.0], 2)] {
+            let fitting = widest_apart(stage, count);
+            assert!(most_apart(stage, fitting) >= count, "{stage:?} {count}: {fitting}");
+        }
+        assert_eq!(widest_apart([6.0, 4.0], 35), 1.0);
+        // A square grid of 1 m, a hexagonal lattice of 1 m: neither holds more than the bound.
+        assert!((35..=39).contains(&most_apart([6.0, 4.0], 1.0)));
+        assert!(most_apart([6.0, 4.0 * 0.75_f64.sqrt()], 1.0) >= 33);
+        assert_eq!(most_apart([6.0, 4.0], 0.0), usize::MAX);
+    }
+
+    #[test]
+    fn what_a_scene_cannot_have_is_told_with_what_helps() {
+        let mut scene = Scene::default();
+        scene.tracks[0].agents = Arc::new(vec![Agent::default(); 3]);
+        scene.tracks[0].keyframes[0].positions = Arc::new(Formation::from(vec![[0.0, 0.0], [1.0, 0.0], [9.0, 0.0]]));
+        assert_eq!(cautions(&scene), [] as [String; 0]);
+        (scene.stage.width, scene.stage.depth, scene.minimum_distance) = (8.0, 3.0, 30.0);
+        scene.obstacles =
+            Arc::new(vec![Obstacle { name: String::new(), shape: ObstacleShape::Circle { center: DVec2::ZERO, radius: 1.5 } }]);
+        assert_eq!(
+            cautions(&scene),
+            [
+                "a stage of 8 × 3 m holds at most 1 agent 30 m apart, and the scene has 3; 4.00 m fits, or a larger stage (minimumDistance)",
+                "agents 0, 1 stand within obstacle 0; a keyframe is never changed, so move them or the obstacle (keyframes[0].positions[0])",
+            ]
+        );
+    }
+}
