@@ -140,16 +140,10 @@ test("no frame is drawn while nothing changes", async ({ studio, page }) => {
   await expect.poll(quiet).toBe(0);
 });
 
-for (const colorScheme of ["light", "dark"] as const) {
-  test.describe(`in the ${colorScheme} theme`, () => {
-    test.use({ colorScheme });
-
-    test("the perspective shuts nobody out", async ({ studio }) => {
-      await openInPerspective(studio);
-      await expectOpenToAll(studio, "perspective");
-    });
-  });
-}
+test("the perspective shuts nobody out", async ({ studio }) => {
+  await openInPerspective(studio);
+  await expectOpenToAll(studio, "perspective");
+});
 
 test("where nothing draws in three dimensions, that is said and the plan stays", async ({ studio, page }) => {
   await page.addInitScript(() => {
