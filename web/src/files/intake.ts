@@ -27,9 +27,10 @@ export interface IntakeParts {
   onOpened(): void;
 }
 
-/** The problem as a person reads it: what, and where. */
+/** The problem as a person reads it: what, and where; with the full stop that the engine leaves to who quotes it. */
 export function sentence({ what, where }: EngineProblem): string {
-  return where ? `${what} (${where})` : what;
+  const said = what.replace(/\.$/, "");
+  return where ? `${said} (${where}).` : `${said}.`;
 }
 
 /** A table has no title: it is called by its file. */
