@@ -1,19 +1,13 @@
 import { effect } from "@preact/signals";
 import type { ScreenPoint } from "../stage/camera";
 import { toStage } from "../stage/camera";
+import { createFingers, screenOn, wheelTurn, wheelZoom } from "../stage/pointers";
 import type { View } from "../stage/view";
 import type { ToolboxAtWork } from "./create-toolbox";
 import type { Pointing } from "./tool";
 
 /** A second press this soon and this near is a double one. */
 const DOUBLE = { milliseconds: 400, pixels: 8 } as const;
-
-/** Wheel pixels that double the scale. */
-const WHEEL_DOUBLING = 400;
-/** A pinch on a trackpad turns the wheel by much smaller steps. */
-const PINCH_DOUBLING = 70;
-/** Pixels a line of a mouse wheel counts for. */
-const LINE = 16;
 
 /** Pixels below which a step of the wheel is a trackpad's. */
 const FINE = 40;
@@ -37,15 +31,12 @@ export function attachTools(
   view: View,
   isMac: boolean,
 ): () => void {
-  const fingers = new Map<number, ScreenPoint>();
+  const fingers = createFingers();
   let doing: Doing = NOTHING;
   let lastRoll = { time: Number.NEGATIVE_INFINITY, isFine: false };
   let lastPress = { time: Number.NEGATIVE_INFINITY, screen: { x: 0, y: 0 } };
 
-  function screenOf(event: MouseEvent): ScreenPoint {
-    const box = element.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
-  }
+  const screenOf = (event: MouseEvent) => screenOn(element, event);
 
   function pointing(event: PointerEvent): Pointing {
     const screen = screenOf(event);
@@ -69,8 +60,8 @@ export function attachTools(
 
   function onDown(event: PointerEvent): void {
     if (event.pointerType === "touch") {
-      fingers.set(event.pointerId, screenOf(event));
-      if (fingers.size > 1) {
+      fingers.put(event.pointerId, screenOf(event));
+      if (fingers.count > 1) {
         if (doing.kind === "tool") toolbox.send({ kind: "cancel" });
         doing = { kind: "pinch" };
         return;
@@ -104,22 +95,16 @@ export function attachTools(
     }
     if (doing.kind === "tool" && event.pointerId !== doing.pointer) return;
     if (doing.kind === "nothing" && event.pointerType === "touch") return;
-    if (fingers.has(event.pointerId)) fingers.set(event.pointerId, screenOf(event));
+    if (event.pointerType === "touch") fingers.put(event.pointerId, screenOf(event));
     toolbox.send({ kind: "move", ...pointing(event) });
   }
 
   function pinch(event: PointerEvent): void {
-    const before = fingers.get(event.pointerId);
-    if (!before) return;
-    const still = [...fingers].find(([id]) => id !== event.pointerId)?.[1];
-    const now = screenOf(event);
-    fingers.set(event.pointerId, now);
-    if (!still) return;
-    // One finger moves at a time: the middle of the two goes half its way.
-    view.panBy((now.x - before.x) / 2, (now.y - before.y) / 2);
-    const spread = Math.hypot(now.x - still.x, now.y - still.y) / Math.hypot(before.x - still.x, before.y - still.y);
-    if (Number.isFinite(spread) && spread > 0)
-      view.zoomBy(spread, { x: (now.x + still.x) / 2, y: (now.y + still.y) / 2 });
+    const pinched = fingers.pinch(event.pointerId, screenOf(event));
+    if (!pinched) return;
+    const { from, to, spread } = pinched;
+    view.panBy(to.x - from.x, to.y - from.y);
+    view.zoomBy(spread, to);
   }
 
   function onUp(event: PointerEvent): void {
@@ -135,8 +120,8 @@ export function attachTools(
   }
 
   function lift(event: PointerEvent, isOurs: boolean): void {
-    fingers.delete(event.pointerId);
-    if (isOurs || (doing.kind === "pinch" && fingers.size === 0)) doing = NOTHING;
+    fingers.lift(event.pointerId);
+    if (isOurs || (doing.kind === "pinch" && fingers.count === 0)) doing = NOTHING;
     element.style.cursor = toolbox.cursor.peek();
   }
 
@@ -146,15 +131,14 @@ export function attachTools(
 
   function onWheel(event: WheelEvent): void {
     event.preventDefault();
-    const unit = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : LINE;
-    const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
+    const { dx, dy } = wheelTurn(event);
     // A roll stays what it began as: its fast middle part looks like a wheel's.
     const isSameRoll = event.timeStamp - lastRoll.time < ROLL;
     lastRoll = { time: event.timeStamp, isFine: isSameRoll ? lastRoll.isFine : isFine(event) };
-    if (event.ctrlKey || event.metaKey) view.zoomBy(2 ** (-dy / PINCH_DOUBLING), screenOf(event));
+    if (event.ctrlKey || event.metaKey) view.zoomBy(wheelZoom(event), screenOf(event));
     else if (event.shiftKey) view.panBy(-(dx || dy), 0);
     else if (lastRoll.isFine) view.panBy(-dx, -dy);
-    else view.zoomBy(2 ** (-dy / WHEEL_DOUBLING), screenOf(event));
+    else view.zoomBy(wheelZoom(event), screenOf(event));
   }
 
   const stopCursor = effect(() => {

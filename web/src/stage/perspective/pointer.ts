@@ -1,5 +1,6 @@
 import type { ScreenPoint } from "../camera";
 import { agentReach, type PointerKind } from "../hit";
+import { createFingers, screenOn, wheelZoom } from "../pointers";
 import type { Steering } from "./steering";
 
 /** Radians a pixel: across a stage of common width it is half a turn. */
@@ -7,11 +8,6 @@ const TURN = 0.004;
 
 /** A press that moves less is a click, pixels. */
 const CLICK = 4;
-
-/** As on the plan: wheel pixels that double the size, and much fewer for a pinch on a trackpad; pixels a line. */
-const WHEEL_DOUBLING = 400;
-const PINCH_DOUBLING = 70;
-const LINE = 16;
 
 /** What the pointers are doing. */
 type Doing =
@@ -26,18 +22,14 @@ const NOTHING: Doing = { kind: "nothing" };
 
 /** Drag turns, Shift-drag and two fingers slide, wheel and pinch zoom, a click picks. Answers how to stop. */
 export function attachPointer(element: HTMLElement, steering: Steering, isMac: boolean): () => void {
-  const fingers = new Map<number, ScreenPoint>();
+  const fingers = createFingers();
   let doing: Doing = NOTHING;
-
-  function screenOf(event: MouseEvent): ScreenPoint {
-    const box = element.getBoundingClientRect();
-    return { x: event.clientX - box.left, y: event.clientY - box.top };
-  }
+  const screenOf = (event: MouseEvent) => screenOn(element, event);
 
   function onDown(event: PointerEvent): void {
     const at = screenOf(event);
-    if (event.pointerType === "touch") fingers.set(event.pointerId, at);
-    if (fingers.size > 1) {
+    if (event.pointerType === "touch") fingers.put(event.pointerId, at);
+    if (fingers.count > 1) {
       doing = { kind: "pinch" };
       return;
     }
@@ -78,16 +70,10 @@ export function attachPointer(element: HTMLElement, steering: Steering, isMac: b
   }
 
   function pinch(id: number, now: ScreenPoint): void {
-    const before = fingers.get(id);
-    if (!before) return;
-    fingers.set(id, now);
-    const still = [...fingers].find(([other]) => other !== id)?.[1];
-    if (!still) return;
-    // One finger moves at a time: the middle of the two goes half its way.
-    const middle = (moving: ScreenPoint) => ({ x: (moving.x + still.x) / 2, y: (moving.y + still.y) / 2 });
-    steering.slide(middle(before), middle(now));
-    const spread = Math.hypot(now.x - still.x, now.y - still.y) / Math.hypot(before.x - still.x, before.y - still.y);
-    if (Number.isFinite(spread) && spread > 0) steering.zoom(spread, middle(now));
+    const pinched = fingers.pinch(id, now);
+    if (!pinched) return;
+    steering.slide(pinched.from, pinched.to);
+    steering.zoom(pinched.spread, pinched.to);
   }
 
   function onUp(event: PointerEvent): void {
@@ -103,16 +89,14 @@ export function attachPointer(element: HTMLElement, steering: Steering, isMac: b
   }
 
   function lift(event: PointerEvent): void {
-    fingers.delete(event.pointerId);
+    fingers.lift(event.pointerId);
     const isOurs = "pointer" in doing && doing.pointer === event.pointerId;
-    if (isOurs || (doing.kind === "pinch" && fingers.size === 0)) doing = NOTHING;
+    if (isOurs || (doing.kind === "pinch" && fingers.count === 0)) doing = NOTHING;
   }
 
   function onWheel(event: WheelEvent): void {
     event.preventDefault();
-    const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 1 : LINE);
-    const doubling = event.ctrlKey || event.metaKey ? PINCH_DOUBLING : WHEEL_DOUBLING;
-    steering.zoom(2 ** (-pixels / doubling), screenOf(event));
+    steering.zoom(wheelZoom(event), screenOf(event));
   }
 
   const heard = new AbortController();
