@@ -1,15 +1,14 @@
 import { nodeAt, setNode } from "../../document/commands/nodes";
 import { setTransition } from "../../document/commands/transitions";
 import { groupPaths } from "../../document/groups";
-import { parseNumber } from "../../document/parse";
 import { groupLabel } from "../../document/queries";
 import type { Choice, GroupPath, MethodName, Scene, Segment } from "../../document/scene";
-import type { Quantity } from "../controls/quantity";
 import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
 import { Select } from "../controls/select";
 import { Switch } from "../controls/switch";
 import { useStudio } from "../studio";
+import { SHARE } from "./quantities";
 import { METHODS } from "./words";
 
 const INHERITED = "inherited";
@@ -18,17 +17,6 @@ const NOBODY = "nobody";
 type Certain = Exclude<MethodName, "auto">;
 
 const CERTAIN = METHODS.filter((word) => word.value !== "auto") as readonly { value: Certain; label: string }[];
-
-/** The share of the second method. */
-const AMOUNT: Quantity = {
-  min: 0,
-  max: 1,
-  step: 0.05,
-  scale: "linear",
-  unit: "",
-  format: (value) => value.toFixed(2),
-  parse: parseNumber,
-};
 
 /** Whether groups move as wholes, and which of them by a way of their own. */
 export function HierarchyRows(props: { index: number; segment: Segment; choice: Choice | null }) {
@@ -104,7 +92,7 @@ function NodeRows({ index, segment, path }: { index: number; segment: Segment; p
           shortLabel=""
           note="by"
           value={blend.amount}
-          quantity={AMOUNT}
+          quantity={SHARE}
           command={(amount) => set({ blend: { ...blend, amount } })}
         />
       )}

@@ -48,8 +48,8 @@ export const FACTOR: Quantity = {
   parse: (text) => parseNumber(text.replace(/[×x]/i, "")),
 };
 
-/** How much the two bases meet halfway. */
-export const SHARING: Quantity = {
+/** A part of a whole. */
+export const SHARE: Quantity = {
   min: 0,
   max: 1,
   step: 0.05,
@@ -58,6 +58,9 @@ export const SHARING: Quantity = {
   format: (value) => value.toFixed(2),
   parse: parseNumber,
 };
+
+/** How much the two bases meet halfway. */
+export const SHARING = SHARE;
 
 /** An instant of the show, in scene seconds. */
 export function instantQuantity(tempo: Tempo): Quantity {
@@ -101,7 +104,7 @@ export function countsQuantity(tempo: Tempo, bounds: { min: number; max: number 
 }
 
 /** How fast a smooth join runs through its keyframes: at 0 it comes to rest in each, at 1 it swings out wide. */
-export const TENSION: Quantity = SHARING;
+export const TENSION = SHARE;
 /** The tension of a Catmull-Rom spline. */
 export const USUAL_TENSION = 0.5;
 
