@@ -27,9 +27,9 @@ export interface IntakeParts {
   onOpened(): void;
 }
 
-/** The problem as a person reads it: what, and where; with the full stop that the engine leaves to who quotes it. */
+/** The problem as a person reads it, what and where: a sentence, of which the engine says the words only. */
 export function sentence({ what, where }: EngineProblem): string {
-  const said = what.replace(/\.$/, "");
+  const said = what.charAt(0).toUpperCase() + what.slice(1).replace(/\.$/, "");
   return where ? `${said} (${where}).` : `${said}.`;
 }
 
