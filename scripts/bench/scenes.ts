@@ -1,5 +1,6 @@
 import { emptyScene, keyframeAt } from "../../web/src/document/defaults";
 import { Formation } from "../../web/src/document/formation";
+import { CROWD_DEFAULTS } from "../../web/src/document/generated";
 import { type MethodName, mainTrack, type Scene } from "../../web/src/document/scene";
 
 /** The same numbers as core-rs/bench: Numerical Recipes' linear congruential generator. */
@@ -35,11 +36,25 @@ export function crossingBlocks(): Scene {
   return { ...show, minimumDistance: 0.5, tracks: [{ ...track, keyframes, segments }] };
 }
 
+/** A block in four groups that turns upside down while it moves on for 10 s: as a crowd 300 steps. */
+export function marchingBlock(agentCount: number, method: MethodName): Scene {
+  const columns = Math.ceil(Math.sqrt(agentCount));
+  const places = Array.from({ length: agentCount }, (_, k) => [k % columns, Math.floor(k / columns)] as const);
+  const show = strewnShow(agentCount, 2, 10, method);
+  const track = mainTrack(show);
+  const source = Formation.from(places);
+  const target = Formation.from(places.map(([x, y]) => [x + 20, columns - y]));
+  const members = (part: number) => [...places.keys()].filter((k) => Math.floor((k * 4) / agentCount) === part);
+  const group = { name: "", color: "", tieWeight: null, children: [] };
+  const groups = [0, 1, 2, 3].map((part) => ({ ...group, members: members(part) }));
+  return { ...show, groups, tracks: [{ ...track, keyframes: [keyframeAt(0, source), keyframeAt(10, target)] }] };
+}
+
 /** A show whose agents are strewn anew at every keyframe, `seconds` apart, and stop there. */
 export function strewnShow(agentCount: number, keyframeCount: number, seconds: number, method: MethodName): Scene {
   const scene = emptyScene();
   const keyframes = Array.from({ length: keyframeCount }, (_, k) => keyframeAt(k * seconds, strewn(agentCount, k + 1)));
-  const agents = Array.from({ length: agentCount }, () => ({ name: "", color: "", radius: 0.25 }));
+  const agents = Array.from({ length: agentCount }, () => ({ name: "", color: "", radius: 0.25, maxSpeed: null }));
   const segment = {
     kind: "transition",
     method,
@@ -52,6 +67,7 @@ export function strewnShow(agentCount: number, keyframeCount: number, seconds: n
     avoidance: false,
     hierarchy: false,
     nodes: [],
+    crowd: CROWD_DEFAULTS,
   } as const;
   const segments = Array.from({ length: keyframeCount - 1 }, () => segment);
   return { ...scene, join: "separate", tracks: [{ ...mainTrack(scene), agents, keyframes, segments }] };

@@ -5,6 +5,7 @@
 
 use std::hint::black_box;
 use std::sync::Arc;
+use std::time::Instant;
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use eigenform::adjacency::{self, AdjacencySpec};
@@ -14,7 +15,7 @@ use eigenform::formation::Formation;
 use eigenform::perform::{Performer, Step};
 use eigenform::scene::Scene;
 use eigenform::spectral::Eigenbasis;
-use eigenform_bench::{crossing_blocks, joined, show, strewn, thousand};
+use eigenform_bench::{crossing_blocks, crowd, joined, show, strewn, thousand};
 
 fn eigenbasis(criterion: &mut Criterion) {
     for agent_count in [300, 1260] {
@@ -88,6 +89,23 @@ fn whole(criterion: &mut Criterion) {
     }
 }
 
+/// What a crowd takes beyond the straight guide that it follows: 300 steps with all forces and feedback.
+fn crowds(criterion: &mut Criterion) {
+    for agent_count in [110, 306, 783, 1190, 1936, 10_000] {
+        let [walked, guide] = [MethodName::Crowd, MethodName::Linear].map(|method| crowd(agent_count, method));
+        criterion.bench_function(&format!("crowd of {agent_count}, 300 steps"), |bencher| {
+            bencher.iter_custom(|rounds| {
+                let time = |scene: &Scene| {
+                    let start = Instant::now();
+                    perform_all(&mut Performer::default(), scene);
+                    start.elapsed()
+                };
+                (0..rounds).map(|_| time(&walked).saturating_sub(time(&guide))).sum()
+            });
+        });
+    }
+}
+
 fn perform_all(performer: &mut Performer, scene: &Scene) {
     for segment in 0..scene.main_track().segments.len() {
         let mut job = performer.begin(scene, segment, &[]);
@@ -98,6 +116,6 @@ fn perform_all(performer: &mut Performer, scene: &Scene) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(10).without_plots();
-    targets = eigenbasis, assign, moved_agent, moved_group, whole
+    targets = eigenbasis, assign, moved_agent, moved_group, whole, crowds
 }
 criterion_main!(benches);

@@ -43,6 +43,8 @@ pub enum Verb {
     Motion(Motion),
     /// How good each transition is: distortion, turning, clearance, …
     Measure(Measure),
+    /// Each transition several ways, with the numbers to judge them
+    Compare(Compare),
     /// Eigenvalues and ties of one keyframe
     Modes(Modes),
     /// Who takes which place of another keyframe at the least cost
@@ -64,7 +66,7 @@ pub enum Verb {
 pub struct Source {
     /// A scene file, a keyframe CSV, a link in quotes, or - for standard input
     pub scene: String,
-    /// In place of every method, those of groups included: auto, spectral, shared, polar or linear
+    /// In place of every method, those of groups included: auto, spectral, shared, polar, linear or crowd
     #[arg(long, value_name = "METHOD")]
     pub method: Option<String>,
     /// In place of the scene's join: separate, smooth or product
@@ -129,6 +131,13 @@ JSON: {\"segments\": [{ … }]}, one entry a transition, with
   topSpeed          {speed, time, agent}
   rmsRadius         {min, max} about the barycenter, meters
   candidates        what auto compared: method, options, score, chosen
+and {mean, max} over time of
+  mutualInformation how much place tells of direction, bits; speedInformation: of speed
+  structureDeviation, effortDeviation: standard deviations of nearest distances and of ways from the source, meters
+  targetDeviation   mean distance to the target's places, whoever takes them, meters
+with roughness, the median jerk, m/s³; with method crowd
+  guideDeviation    {mean, max} of how far forces lead agents from their guide, meters
+  arrivalError      {mean, max} of how far forces alone leave them from the target, meters
 and with avoidance
   deviation         {mean, max} over agents and samples of how far they leave the method's way, meters
   unsolved          [{distance, time, agents}] of every meeting still too near; [] when it is proved that there is none
@@ -142,6 +151,32 @@ Example:
 pub struct Measure {
     #[command(flatten)]
     pub source: Source,
+    /// Print JSON; without it a table
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `compare`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+METHODS are auto, linear, polar, shared, spectral and crowd; crowd-no-feedback and crowd-no-groups; and two that no scene
+has: social-force-guide (forces on the method's own way, then smoothed) and social-force (forces toward the target alone,
+arriving wherever they do). The minimum distance and avoidance are the scene's.
+
+The table gives means over time: time (seconds until everybody is there, by forces alone where there are any; - for
+never), I_d and I_v (bits), structure, effort and target deviation, least distance, turning, path, roughness (median
+jerk, m/s³), late (how far forces alone leave somebody from the target, meters).
+JSON: {\"segments\": [{\"from\", \"to\", \"methods\": [{\"method\", \"time\", …, \"curves\"}]}]}, keys as measure says them.
+
+Example:
+  eigenform compare show.eigenform.json --methods linear,spectral,crowd,social-force")]
+pub struct Compare {
+    #[command(flatten)]
+    pub source: Source,
+    /// Which ways, in this order
+    #[arg(long, value_name = "METHODS", value_delimiter = ',')]
+    #[arg(default_value = "linear,polar,spectral,crowd,crowd-no-feedback,crowd-no-groups")]
+    pub methods: Vec<String>,
     /// Print JSON; without it a table
     #[arg(long)]
     pub json: bool,

@@ -17,8 +17,8 @@ use crate::failure::Failure;
 type Words<T> = (&'static [&'static str], &'static [T]);
 
 const METHODS: Words<MethodName> = (
-    &["auto", "spectral", "shared", "polar", "linear"],
-    &[MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear],
+    &["auto", "spectral", "shared", "polar", "linear", "crowd"],
+    &[MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear, MethodName::Crowd],
 );
 const JOINS: Words<Join> = (&["separate", "smooth", "product"], &[Join::Separate, Join::Smooth, Join::Product]);
 const BOOLEANS: Words<bool> = (&["true", "false"], &[true, false]);
@@ -96,7 +96,7 @@ fn override_parts(scene: &mut Scene, source: &Source) -> Result<(), Failure> {
         scene.minimum_distance = within(distance, &limits::LENGTH, "--minimum-distance")?;
     }
     let avoidance = source.avoidance.as_ref().map(|typed| word(typed, &BOOLEANS, "--avoidance")).transpose()?;
-    let method = source.method.as_ref().map(|typed| method_of(typed)).transpose()?;
+    let method = source.method.as_ref().map(|typed| word(typed, &METHODS, "--method")).transpose()?;
     for Segment::Transition(transition) in &mut scene.tracks[0].segments {
         transition.avoidance = avoidance.unwrap_or(transition.avoidance);
         if let Some(method) = method {
@@ -109,13 +109,6 @@ fn override_parts(scene: &mut Scene, source: &Source) -> Result<(), Failure> {
     Ok(())
 }
 
-fn method_of(typed: &str) -> Result<MethodName, Failure> {
-    if typed == "crowd" {
-        return Err(unsupported(typed, "auto, spectral, shared, polar or linear", "--method").into());
-    }
-    word(typed, &METHODS, "--method")
-}
-
 /// The meaning of the one of `words` that was typed.
 fn word<T: Copy>(typed: &str, (words, meanings): &Words<T>, place: &str) -> Result<T, Failure> {
     match words.iter().position(|known| *known == typed) {
@@ -124,11 +117,8 @@ fn word<T: Copy>(typed: &str, (words, meanings): &Words<T>, place: &str) -> Resu
     }
 }
 
-fn unsupported(value: &str, supported: &str, place: &str) -> Error {
-    Error::Unsupported { value: quoted(value), supported: supported.to_owned(), place: place.to_owned() }
-}
-
-fn quoted(word: &str) -> String {
+/// A word as it was typed, fit for one line of a message.
+pub fn quoted(word: &str) -> String {
     let mut short: String = word.chars().take(40).collect();
     if short.len() < word.len() {
         short.push('…');

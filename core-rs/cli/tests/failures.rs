@@ -62,6 +62,7 @@ fn bad_input_is_two_and_says_where() {
         (&["motion", "show.json", "--at", "NaN"], "not-finite: "),
         (&["check", "show.json", "--minimum-distance", "-1"], "out-of-range: "),
         (&["check", "show.json", "--method", "fast"], "unknown-value: "),
+        (&["compare", "show.json", "--methods", "linear,best"], "unknown-value: \"best\" is not known here; it must be one of \"auto\""),
         (&["check", "show.json", "--join", "sideways"], "unknown-value: \"sideways\" is not known here; it must be one of \"separate\""),
         (&["check", "show.json", "--avoidance=yes"], "unknown-value: "),
         (&["open", "https://example.org/"], "not-a-link: "),
@@ -131,8 +132,7 @@ fn a_shape_that_is_none_says_why() {
 fn values_of_later_versions_are_unsupported() {
     let desk = Desk::new();
     for arguments in [
-        &["motion", "show.json", "--method", "crowd"][..],
-        &["assign", "show.json", "--from", "0", "--to", "1", "--cost", "neighbors"],
+        &["assign", "show.json", "--from", "0", "--to", "1", "--cost", "neighbors"][..],
         &["assign", "show.json", "--from", "0", "--to", "1", "--lambda", "0.9"],
     ] {
         check(&desk, arguments, 2, "unsupported: ");
@@ -170,7 +170,7 @@ fn files_that_cannot_be_read_or_written_are_one() {
 fn a_failure_leaves_the_file_that_was_there() {
     let desk = Desk::new();
     desk.put("motion.csv", "precious");
-    check(&desk, &["motion", "show.json", "--method", "crowd", "--out", "motion.csv"], 2, "unsupported: ");
+    check(&desk, &["motion", "show.json", "--method", "fast", "--out", "motion.csv"], 2, "unknown-value: ");
     assert_eq!(desk.read("motion.csv"), "precious");
 }
 

@@ -76,8 +76,20 @@ fn measure_has_its_keys_and_numbers() {
     let report = parsed(&desk.answer(&["measure", "show.json", "--minimum-distance", "1.5", "--json"]));
     let segment = report["segments"][0].as_object().expect("one segment");
     let keys: Vec<&str> = segment.keys().map(String::as_str).collect();
-    let mut expected =
-        ["method", "options", "distortion", "turning", "clearance", "nearCollisions", "pathLength", "topSpeed", "rmsRadius", "candidates"];
+    let mut expected = [
+        ["method", "options", "distortion", "turning", "clearance", "nearCollisions", "pathLength", "topSpeed"],
+        [
+            "rmsRadius",
+            "candidates",
+            "mutualInformation",
+            "speedInformation",
+            "structureDeviation",
+            "effortDeviation",
+            "targetDeviation",
+            "roughness",
+        ],
+    ]
+    .concat();
     expected.sort_unstable();
     assert_eq!(keys, expected);
     assert_eq!(segment["method"], "linear");
@@ -347,4 +359,26 @@ fn convert_makes_a_scene_of_frames_of_a_recording() {
     assert_eq!(desk.answer(&["convert", "motion.csv", "again.json", "--frames", "0,4"]), "");
     let motion = parsed(&desk.answer(&["motion", "again.json", "--at", "2", "--json"]));
     assert_eq!(motion["positions"], json!([[[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]]));
+}
+
+#[test]
+fn ways_are_compared_by_their_names_and_those_that_no_scene_has_too() {
+    let desk = Desk::new();
+    let methods = ["linear", "crowd", "crowd-no-feedback", "social-force-guide", "social-force"];
+    let told = parsed(&desk.answer(&["compare", "show.json", "--methods", &methods.join(","), "--minimum-distance", "0.5", "--json"]));
+    let rows = told["segments"][0]["methods"].as_array().expect("a row a method");
+    assert_eq!(rows.iter().map(|row| row["method"].as_str().expect("a name")).collect::<Vec<_>>(), methods);
+    for row in rows {
+        for key in ["mutualInformation", "speedInformation", "structureDeviation", "effortDeviation", "targetDeviation"] {
+            assert!(row[key]["mean"].is_number() && row[key]["max"].is_number(), "{key} of {row}");
+        }
+        assert_eq!(row["curves"]["times"].as_array().map(Vec::len), Some(5));
+    }
+    assert_eq!((&rows[0]["time"], &rows[0]["arrivalError"]), (&json!(2.0), &Value::Null));
+    assert!(rows[4]["arrivalError"]["max"].is_number() && rows[4]["unsolved"].is_array());
+    let table = desk.answer(&["compare", "show.json", "--methods", "linear,social-force"]);
+    assert_eq!(
+        table.lines().map(|line| line.split_whitespace().next()).collect::<Vec<_>>(),
+        ["keyframe", "method", "linear", "social-force"].map(Some)
+    );
 }

@@ -33,6 +33,8 @@ pub enum MethodName {
     Polar,
     /// Straight lines.
     Linear,
+    /// Paper D: social forces along another method's way.
+    Crowd,
 }
 
 /// A second method that a group moves by, and its share.

@@ -14,7 +14,7 @@ const MAY_KNOW: [(&str, &[&str]); 16] = [
     ("error", &["scene"]),
     ("formation", &[]),
     ("grouping", &["adjacency", "formation", "spectral"]),
-    ("measure", &["adjacency", "formation", "motion"]),
+    ("measure", &["adjacency", "assignment", "formation", "motion"]),
     ("motion", &["formation"]),
     ("obstacle", &[]),
     (

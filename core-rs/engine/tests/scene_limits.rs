@@ -8,7 +8,7 @@ use eigenform::choice::{Alignment, Blend, Choice, MethodName, Order};
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::obstacle::ObstacleShape;
-use eigenform::scene::{Agent, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Track, TransitionSpec};
+use eigenform::scene::{Agent, CrowdSpec, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Track, TransitionSpec};
 use eigenform::scene::{document, limits, open_bytes, read_json, validate, write_json};
 use glam::DVec2;
 
@@ -102,6 +102,9 @@ fn numbers_have_ranges() {
     check_range(&limits::LENGTH, "stage.height", |value| changed(|scene| scene.stage.height = value));
     check_range(&limits::BEATS_PER_MINUTE, "tempo.beatsPerMinute", |value| changed(|scene| scene.tempo.beats_per_minute = value));
     check_range(&limits::TEMPO_START, "tempo.start", |value| changed(|scene| scene.tempo.start = value));
+    check_range(&limits::MAX_SPEED, "agents[1].maxSpeed", |value| {
+        changed(|scene| Arc::make_mut(&mut scene.tracks[0].agents)[1].max_speed = Some(value))
+    });
     check_range(&limits::LENGTH, "agents[1].radius", |value| changed(|scene| Arc::make_mut(&mut scene.tracks[0].agents)[1].radius = value));
     for coordinate in 0..2 {
         check_range(&limits::COORDINATE, "keyframes[1].positions[2]", |value| {
@@ -120,6 +123,17 @@ fn numbers_have_ranges() {
         changed(|scene| scene.groups = Arc::new(vec![Group { members: vec![0, 1], tie_weight: Some(factor), ..Group::default() }]))
     });
     let with_transition = |transition| changed(|scene| scene.tracks[0].segments = vec![Segment::Transition(transition)]);
+    let with_crowd = |crowd: CrowdSpec| with_transition(TransitionSpec { crowd, ..TransitionSpec::default() });
+    let usual = CrowdSpec::default();
+    check_range(&limits::CROWD[0].1, "segments[0].crowd.reactionTime", |reaction_time| with_crowd(CrowdSpec { reaction_time, ..usual }));
+    check_range(&limits::CROWD[3].1, "segments[0].crowd.reach", |reach| with_crowd(CrowdSpec { reach, ..usual }));
+    check_range(&limits::CROWD[7].1, "segments[0].crowd.binSize", |bin_size| with_crowd(CrowdSpec { bin_size, ..usual }));
+    for sectors in [1, 64] {
+        admits(&with_crowd(CrowdSpec { sectors, ..usual }));
+    }
+    for sectors in [0, 65] {
+        refuses(&with_crowd(CrowdSpec { sectors, ..usual }), "out-of-range", "segments[0].crowd.sectors");
+    }
     check_range(&limits::SHARING, "segments[0].sharing", |sharing| {
         with_transition(TransitionSpec { sharing, ..TransitionSpec::default() })
     });

@@ -142,6 +142,10 @@ fn values_of_another_type_or_word_are_refused() {
     check(&with_segment(r#""keepSize": 1"#), "wrong-type", "segments[0].keepSize");
     check(&with_segment(r#""chosen": {}"#), "missing-field", "segments[0].chosen");
     check(&with_segment(r#""chosen": { "method": "auto" }"#), "unknown-value", "segments[0].chosen.method");
+    check(&with_segment(r#""chosen": { "method": "crowd" }"#), "unknown-value", "segments[0].chosen.method");
+    check(&with_segment(r#""crowd": { "guide": "crowd" }"#), "unknown-value", "segments[0].crowd.guide");
+    check(&with_segment(r#""crowd": { "mass": 80 }"#), "unknown-field", "segments[0].crowd");
+    check(&with_segment(r#""crowd": { "sectors": 7.5 }"#), "wrong-type", "segments[0].crowd.sectors");
     let error = read_json(&with_field("stage", r#"{ "units": "km" }"#)).unwrap_err();
     assert_eq!(error.to_string(), r#""km" is not known here; it must be one of "m", "ft", "yd", "steps""#);
 }
@@ -150,13 +154,9 @@ fn values_of_another_type_or_word_are_refused() {
 fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
     let cases = [
         (with_field("recordings", "[@]"), "recordings", " ", "{}"),
-        (with_field("agents", r#"[{}, { "maxSpeed": @ }, {}]"#), "agents[1].maxSpeed", "null", "2.5"),
         (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),
-        (with_segment(r#""method": "@""#), "segments[0].method", "auto", "crowd"),
         (with_segment(r#""path": @"#), "segments[0].path", "null", "[[0, 0]]"),
         (with_segment(r#""assignment": @"#), "segments[0].assignment", "null", r#"{ "cost": "squared" }"#),
-        (with_segment(r#""crowd": @"#), "segments[0].crowd", "null", "{}"),
-        (with_segment(r#""chosen": { "method": "@" }"#), "segments[0].chosen.method", "polar", "crowd"),
         // The paper prints its product of powers for the plane.
         (
             with(r#""join": "product","#).replace("[0, 1]", "[0, 1, @]").replace("[0, 0]", "[0, 0, 0]").replace("[1, 0]", "[1, 0, 0]"),
@@ -170,8 +170,8 @@ fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
         assert_eq!(read_json(&right).map(|_| ()), Ok(()), "{right}");
         check(&text.replace('@', other), "unsupported", place);
     }
-    let error = read_json(&with_segment(r#""method": "crowd""#)).unwrap_err();
-    assert!(error.to_string().starts_with(r#""crowd" is not supported yet; give "#), "{error}");
+    let error = read_json(&with_segment(r#""path": [[0, 0]]"#)).unwrap_err();
+    assert!(error.to_string().starts_with("[[0, 0]] is not supported yet; give null"), "{error}");
 }
 
 #[test]

@@ -8,7 +8,7 @@ use eigenform::choice::Choice;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::grouping::{self, Way};
-use eigenform::perform::{Performed, Performer};
+use eigenform::perform::{Counterpart, Performed, Performer, SegmentJob};
 use eigenform::scene::recording::{Recording, read_recording};
 use eigenform::scene::{self, Scene, Source};
 use eigenform::shape::{Picture, Reading, Region, Request, Room, SlotJob};
@@ -97,6 +97,16 @@ pub fn link(scene: &Scene, is_short: bool) -> String {
     let precision = if is_short { scene::link::Precision::Short } else { scene::link::Precision::Exact };
     let link = scene::link::encode(scene, precision);
     encode(&json!({ "fragment": link.fragment, "rounding": link.rounding, "brokenKeyframes": link.broken_keyframes }))
+}
+
+pub fn begin(performer: &mut Performer, scene: &Scene, segment: usize, held: Option<&str>, counterpart: Option<&str>) -> SegmentJob {
+    let held = held.map_or_else(Vec::new, choices);
+    performer.begin_compared(scene, segment, &held, counterpart.and_then(Counterpart::named), false)
+}
+
+pub fn movement(performed: &Performed) -> String {
+    let (measures, curves) = performed.movement();
+    encode(&json!({ "measures": measures, "curves": curves }))
 }
 
 pub fn curves(performed: &Performed) -> Vec<f32> {

@@ -90,13 +90,14 @@ impl Engine {
     }
 
     /// Works on a segment for a while, whatever else is under work; answers how far it is, 1 when it is done and all of it can be read.
-    /// `held`: JSON list, by segment, of what to use although it says auto, or null.
-    pub fn step(&mut self, segment: usize, held: Option<String>) -> Result<f64, Refusal> {
+    /// `held`: JSON list, by segment, of what to use although it says auto, or null. `counterpart`: the name of what moves it in place of
+    /// what the scene says.
+    pub fn step(&mut self, segment: usize, held: Option<String>, counterpart: Option<String>) -> Result<f64, Refusal> {
         let scene = at_hand(self.scene.as_ref());
         self.at = Some(segment);
         let mut job = match self.jobs.remove(&segment) {
             Some(job) => job,
-            None => self.performer.begin(scene, segment, &held.map_or_else(Vec::new, |text| desk::choices(&text))),
+            None => desk::begin(&mut self.performer, scene, segment, held.as_deref(), counterpart.as_deref()),
         };
         match job.step(&mut self.performer)? {
             Step::Progress(progress) => {
@@ -143,6 +144,11 @@ impl Engine {
     /// Measures of the segment just done, JSON.
     pub fn segment_report(&self) -> String {
         encode(&self.done().report())
+    }
+
+    /// How the movement of the segment just done looks as a whole, JSON `{measures, curves}`: found anew at every call.
+    pub fn segment_movement(&self) -> String {
+        desk::movement(self.done())
     }
 
     /// Ties of a keyframe: a, b a tie, a < b, ascending.

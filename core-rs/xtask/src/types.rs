@@ -1,5 +1,6 @@
 //! Writes the page's types from the engine's.
 
+use eigenform::text::json;
 use eigenform::{adjacency, choice, obstacle, scene};
 use ts_rs::TS;
 
@@ -20,6 +21,7 @@ pub fn typescript() -> String {
         scene::Keyframe::decl(),
         scene::Segment::decl(),
         scene::TransitionSpec::decl(),
+        scene::CrowdSpec::decl(),
         scene::NodeSpec::decl(),
         scene::Obstacle::decl(),
         obstacle::ObstacleShape::decl(),
@@ -39,5 +41,9 @@ pub fn typescript() -> String {
         text.push_str(&declaration);
         text.push('\n');
     }
+    let crowd = json(&scene::CrowdSpec::default());
+    text.push_str("\n/** What a crowd is told where nothing is said. */\nexport const CROWD_DEFAULTS: CrowdSpec = ");
+    text.push_str(&crowd);
+    text.push_str(";\n");
     text
 }

@@ -1,11 +1,12 @@
 import { Formation } from "./formation";
+import { CROWD_DEFAULTS } from "./generated";
 import type { AdjacencySpec, Agent, Keyframe, Scene, Segment, Stage } from "./scene";
 
 /** Meters; what the page writes into new scenes, where an absent field means no limit. */
 export const NEW_MINIMUM_DISTANCE = 0.5;
 
 export const DEFAULT_STAGE: Stage = { width: 100, depth: 60, height: 0, backdrop: "grid", units: "m" };
-export const DEFAULT_AGENT: Agent = { name: "", color: "", radius: 0.25 };
+export const DEFAULT_AGENT: Agent = { name: "", color: "", radius: 0.25, maxSpeed: null };
 export const DEFAULT_ADJACENCY: AdjacencySpec = {
   base: "delaunay",
   weights: "inverse",
@@ -25,6 +26,7 @@ export const DEFAULT_SEGMENT: Segment = {
   avoidance: true,
   hierarchy: false,
   nodes: [],
+  crowd: CROWD_DEFAULTS,
 };
 
 export function keyframeAt(time: number, positions: Formation): Keyframe {

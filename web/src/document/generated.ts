@@ -118,7 +118,11 @@ color: string,
 /**
  * Body radius, meters.
  */
-radius: number, };
+radius: number, 
+/**
+ * The fastest it moves in a crowd, meters a second; none: no limit.
+ */
+maxSpeed: number | null, };
 
 export type Group = { 
 /**
@@ -160,7 +164,7 @@ ties: Array<[number, number, number]>,
  */
 cuts: Array<[number, number]>, 
 /**
- * Agents that keep clear of an obstacle: agent, obstacle and a factor.
+ * Agents that keep their clearance to an obstacle: agent, obstacle and a factor.
  */
 obstacleTies: Array<[number, number, number]>, };
 
@@ -236,7 +240,61 @@ hierarchy: boolean,
 /**
  * Groups that move by a method of their own, each once.
  */
-nodes: Array<NodeSpec>, };
+nodes: Array<NodeSpec>, 
+/**
+ * What the forces are told (crowd).
+ */
+crowd: CrowdSpec, };
+
+export type CrowdSpec = { 
+/**
+ * The interpolation that agents follow, with the segment's own options: never `auto` nor `crowd`.
+ */
+guide: MethodName, 
+/**
+ * Feedback of direction, by `I_d`.
+ */
+directionFeedback: boolean, 
+/**
+ * Feedback of speed, by `I_v`.
+ */
+speedFeedback: boolean, 
+/**
+ * τ, seconds: how fast agents take up the velocity they want.
+ */
+reactionTime: number, 
+/**
+ * Seconds that agents look ahead on the guide.
+ */
+lookAhead: number, 
+/**
+ * A: repulsion of agents and obstacles.
+ */
+strength: number, 
+/**
+ * B: the length over which that falls to 1/e.
+ */
+reach: number, 
+/**
+ * A′: attraction within a group and repulsion between groups.
+ */
+groupStrength: number, 
+/**
+ * B′: the length over which those change.
+ */
+groupReach: number, 
+/**
+ * ξ: the greatest random acceleration along each axis.
+ */
+fluctuation: number, 
+/**
+ * R: the side of the bins within which agents share direction and speed.
+ */
+binSize: number, 
+/**
+ * K: sectors of a full turn.
+ */
+sectors: number, };
 
 export type NodeSpec = { 
 /**
@@ -304,7 +362,7 @@ method: MethodName,
  */
 amount: number, };
 
-export type MethodName = "auto" | "spectral" | "shared" | "polar" | "linear";
+export type MethodName = "auto" | "spectral" | "shared" | "polar" | "linear" | "crowd";
 
 export type Join = "separate" | "smooth" | "product";
 
@@ -313,3 +371,6 @@ export type Order = "eigenvalue" | "greedy" | "maxmin" | "hungarian";
 export type Alignment = "none" | "pca" | "procrustes";
 
 export type Timing = "linear" | "smooth" | "even";
+
+/** What a crowd is told where nothing is said. */
+export const CROWD_DEFAULTS: CrowdSpec = {"guide":"linear","directionFeedback":true,"speedFeedback":true,"reactionTime":0.5,"lookAhead":0.5,"strength":5.0,"reach":0.3,"groupStrength":0.5,"groupReach":2.0,"fluctuation":0.0,"binSize":4.0,"sectors":8};

@@ -34,7 +34,7 @@ function scene(agents: Agent[], groups: Group[]): Scene {
 }
 
 function agents(count: number): Agent[] {
-  return Array.from({ length: count }, () => ({ name: "", color: "", radius: 0.25 }));
+  return Array.from({ length: count }, () => ({ name: "", color: "", radius: 0.25, maxSpeed: null }));
 }
 
 /** Place in the palette from 1; 0 for a color that is not in it. */
@@ -63,7 +63,7 @@ describe("colors", () => {
 
   it("an agent's own color comes before its group's, and the innermost group's before the outer's", () => {
     const [first, ...others] = agents(3);
-    const own: Agent[] = [{ name: "", radius: 0.25, ...first, color: "#abcdef" }, ...others];
+    const own: Agent[] = [{ name: "", radius: 0.25, maxSpeed: null, ...first, color: "#abcdef" }, ...others];
     const colors = agentColors(scene(own, [group([0, 1], "", [group([2])])]));
     expect(colors[0]).toBe("#abcdef");
     expect(number(colors[1])).toBe(1);

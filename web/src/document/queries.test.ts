@@ -52,7 +52,11 @@ test("as many agents as there is room for break no limit, one more does", () => 
       const withAgents = (count: number): Scene => ({
         ...scene,
         tracks: [
-          { ...track, keyframes, agents: Array.from({ length: count }, () => ({ name: "", color: "", radius: 0.25 })) },
+          {
+            ...track,
+            keyframes,
+            agents: Array.from({ length: count }, () => ({ name: "", color: "", radius: 0.25, maxSpeed: null })),
+          },
         ],
       });
       expect(most).toBeLessThanOrEqual(LIMITS.agents);

@@ -14,6 +14,7 @@ export type Group = Immutable<generated.Group>;
 export type AdjacencySpec = Immutable<generated.AdjacencySpec>;
 export type Keyframe = Immutable<generated.Keyframe>;
 export type Segment = Immutable<generated.Segment>;
+export type CrowdSpec = Immutable<generated.CrowdSpec>;
 export type NodeSpec = Immutable<generated.NodeSpec>;
 export type Obstacle = Immutable<generated.Obstacle>;
 export type ObstacleShape = Immutable<generated.ObstacleShape>;

@@ -131,6 +131,10 @@ export interface SegmentReport {
   readonly suggestions?: readonly Suggestion[];
   /** The nearest that anybody comes to an obstacle that they are tied to; absent where nobody is. */
   readonly heldClearance?: ObstacleApproach;
+  /** How far forces lead agents from their guide, meters; absent where there are none, as what follows. */
+  readonly guideDeviation?: Extreme;
+  /** How far forces alone leave them from the target, meters. */
+  readonly arrivalError?: Extreme;
   readonly nearCollisions: number;
   readonly pathLength: Extreme;
   readonly topSpeed: { readonly speed: number; readonly time: number; readonly agent: number };
@@ -147,6 +151,9 @@ export interface SegmentCurves {
   readonly topSpeed: Float32Array;
   readonly pathLength: Float32Array;
 }
+
+/** The paper's own ways to keep apart, for comparison: social forces on the method's way, or toward the target alone. */
+export type Counterpart = "social-force-guide" | "social-force";
 
 export interface SegmentPlan {
   readonly motion: SegmentMotion;

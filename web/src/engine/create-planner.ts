@@ -1,7 +1,7 @@
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
 import { mainTrack, type Scene } from "../document/scene";
 import type { SegmentMotion } from "../playback/motion";
-import type { Planner, Planning, TieList } from "./api";
+import type { Counterpart, Planner, Planning, TieList } from "./api";
 import type { Crew } from "./crew";
 import { areSame, type Inputs, nearestFirst, segmentInputs, tieInputs } from "./inputs";
 import type { WorkerLink } from "./link";
@@ -16,6 +16,8 @@ export interface PlannerInputs {
   readonly isDragging: ReadonlySignal<boolean>;
   readonly time: ReadonlySignal<number>;
   readonly crew: Pick<Crew, "planner" | "replacePlanner">;
+  /** What moves all segments in place of what the scene says; none by default. */
+  readonly counterpart?: Counterpart | null;
 }
 
 /** What is known of a segment or keyframe, and of which inputs. */
@@ -42,7 +44,7 @@ const CRASH_LIMIT = 2;
 
 const WAITING: Planning = { kind: "planning", progress: 0, motion: null, stale: null };
 
-export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs): Planner {
+export function createPlanner({ scene, isDragging, time, crew, counterpart = null }: PlannerInputs): Planner {
   const segments = signal<readonly Planning[]>([]);
   const ties = signal<readonly (TieList | null)[]>([]);
   const progress = signal<number | null>(null);
@@ -134,6 +136,7 @@ export function createPlanner({ scene, isDragging, time, crew }: PlannerInputs):
       order: open,
       held,
       ties: unknownTies,
+      counterpart,
     };
     const call = link.call("plan", request);
     next.id = call.id;

@@ -28,7 +28,8 @@ export function segmentInputs(scene: Scene, segment: number): Inputs {
     if (passes(first)) first -= 1;
     if (passes(last)) last += 1;
   }
-  const inputs: unknown[] = [...specs, scene.frameRate, scene.minimumDistance, scene.obstacles, scene.seed];
+  const bodies = track.segments[segment]?.method === "crowd" ? [track.agents] : [];
+  const inputs: unknown[] = [...specs, ...bodies, scene.frameRate, scene.minimumDistance, scene.obstacles, scene.seed];
   for (let keyframe = first; keyframe <= last; keyframe += 1) {
     const { time = 0, hold = 0 } = track.keyframes[keyframe] ?? {};
     // When the first and the last were reached and left does not matter, only how long it takes from one to the next.
@@ -40,8 +41,8 @@ export function segmentInputs(scene: Scene, segment: number): Inputs {
 }
 
 /** Whether a transition's bases may move toward those of the keyframes beside. */
-function mayShare({ method, sharing, chosen }: Segment): boolean {
-  const choice = method === "auto" ? chosen : { method, sharing };
+function mayShare({ method, sharing, chosen, crowd }: Segment): boolean {
+  const choice = method === "auto" ? chosen : { method: method === "crowd" ? crowd.guide : method, sharing };
   return choice === null || (choice.method === "spectral" && choice.sharing > 0);
 }
 

@@ -1,5 +1,5 @@
 import type { Choice } from "../document/scene";
-import type { EngineProblem, GroupingWay, LinkReport, RecordingData, SegmentReport } from "./api";
+import type { Counterpart, EngineProblem, GroupingWay, LinkReport, RecordingData, SegmentReport } from "./api";
 
 /**
  * A scene as it crosses to a worker: formations once each, by number; all else as JSON text, only when it changed.
@@ -23,6 +23,8 @@ export interface PlanRequest {
   readonly held: readonly (Choice | null)[];
   /** Keyframes whose ties are wanted. */
   readonly ties: readonly number[];
+  /** What moves the segments in place of what the scene says of them. */
+  readonly counterpart: Counterpart | null;
 }
 
 export interface GroupingRequest {
@@ -51,6 +53,8 @@ export interface Calls {
     /** Rows of likeness and pairings; eigenvalues at each of the steps, none for 0. */
     answer: { readonly match: Float32Array; readonly eigenvalues: Float64Array };
   };
+  /** Answers JSON of a `Movement`. */
+  movement: { ask: { readonly scene: SceneMessage; readonly segment: number }; answer: string };
   /** Answers JSON of the groups. */
   proposeGroups: { ask: GroupingRequest; answer: string };
   /** Answered when the request is taken over; results follow as plan messages. */

@@ -10,6 +10,7 @@ const MOVED_TOGETHER = 6;
 interface Plan {
   readonly id: number;
   readonly held: string | undefined;
+  readonly counterpart: string | undefined;
   readonly ties: number[];
   /** Segments to move, in order. */
   readonly unmoved: number[];
@@ -72,6 +73,12 @@ const handlers: Handlers = {
     const match = to.mode_match(segment, most);
     return { match, eigenvalues: steps > 0 ? to.eigenvalues_between(segment, steps) : new Float64Array(0) };
   },
+  movement: ({ scene, segment }, to) => {
+    take(scene, to);
+    let progress = 0;
+    while (progress < 1) progress = to.step(segment);
+    return to.segment_movement();
+  },
   proposeGroups: ({ scene, keyframe, agents, way }, to) => {
     take(scene, to);
     return to.propose_groups(keyframe, agents, way.kind, way.amount);
@@ -79,9 +86,16 @@ const handlers: Handlers = {
   plan: (request, to, id) => {
     plan = null;
     take(request.scene, to);
-    const { ties, order, held } = request;
+    const { ties, order, held, counterpart } = request;
     const heldText = held.some(Boolean) ? JSON.stringify(held) : undefined;
-    plan = { id, held: heldText, ties: [...ties], unmoved: [...order], unmeasured: [] };
+    plan = {
+      id,
+      held: heldText,
+      counterpart: counterpart ?? undefined,
+      ties: [...ties],
+      unmoved: [...order],
+      unmeasured: [],
+    };
     void turn();
     return null;
   },
@@ -132,7 +146,7 @@ function advance(at: Plan, to: Engine): void {
     return;
   }
   try {
-    const progress = to.step(segment, at.held);
+    const progress = to.step(segment, at.held, at.counterpart);
     if (isMoving && to.is_moved()) {
       sendMotion(at.id, segment, to);
       queue.shift();

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { Formation, type Point } from "../document/formation";
+import { CROWD_DEFAULTS } from "../document/generated";
 import type { Keyframe, Segment, Timing, Track } from "../document/scene";
 import { SegmentMotion } from "./motion";
 import { eased, Show, showDuration } from "./show";
@@ -21,6 +22,7 @@ function segment(timing: Timing): Segment {
     avoidance: false,
     hierarchy: false,
     nodes: [],
+    crowd: CROWD_DEFAULTS,
   };
 }
 

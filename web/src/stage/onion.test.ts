@@ -9,7 +9,7 @@ function keyframe(time: number, hold: number): Keyframe {
 }
 
 const track: Track = {
-  agents: [{ name: "", color: "", radius: 0.25 }],
+  agents: [{ name: "", color: "", radius: 0.25, maxSpeed: null }],
   keyframes: [keyframe(0, 0), keyframe(4, 2), keyframe(8, 0)],
   segments: [],
 };

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use eigenform::choice::{Choice, MethodName, Timing};
 use eigenform::edits::Blocked;
-use eigenform::measure::Measures;
-use eigenform::perform::{Avoided, Candidate, Performed, perform};
+use eigenform::measure::{Measures, Movement};
+use eigenform::perform::{Avoided, Candidate, Crowded, Performed, perform};
 use eigenform::scene::{Opened, Scene, Segment, TransitionSpec, cautions};
 use serde::Serialize;
 
@@ -26,9 +26,13 @@ struct SegmentReport<'p> {
     #[serde(flatten)]
     measures: &'p Measures,
     #[serde(flatten)]
+    movement: Movement,
+    #[serde(flatten)]
     avoided: Option<&'p Avoided>,
     #[serde(skip_serializing_if = "Option::is_none")]
     held_clearance: Option<&'p Blocked>,
+    #[serde(flatten)]
+    crowded: Option<&'p Crowded>,
     candidates: Vec<CandidateReport>,
 }
 
@@ -78,8 +82,10 @@ fn report<'p>(transition: &TransitionSpec, performed: &'p Performed) -> SegmentR
         method: performed.choice.method,
         options: options(&performed.choice, transition),
         measures: &performed.measures,
+        movement: performed.movement().0,
         avoided: performed.avoided.as_ref(),
         held_clearance: performed.held_clearance.as_ref(),
+        crowded: performed.crowded.as_deref(),
         candidates: performed.candidates.iter().map(|candidate| candidate_report(candidate, transition)).collect(),
     }
 }

@@ -2,6 +2,7 @@
 
 pub mod assign;
 pub mod check;
+pub mod compare;
 pub mod convert;
 pub mod link;
 pub mod measure;

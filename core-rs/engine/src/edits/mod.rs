@@ -1,12 +1,16 @@
 //! What changes a whole motion.
 //!
-//! An edit takes a motion and gives another of the same agents and samples; it knows neither scenes nor methods. Avoidance is the
-//! first. Long work is a job of steps, as everywhere.
+//! An edit takes a motion and gives another of the same agents and samples; it knows neither scenes nor methods. A crowd follows its
+//! guide first, avoidance keeps apart whoever is too near then. Long work is a job of steps, as everywhere.
 
 mod avoidance;
+mod crowd;
 mod deviation;
+mod grain;
 mod spline;
 
-pub use avoidance::{Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, nearest_to};
+pub use avoidance::{Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, judge, nearest_to};
+pub use crowd::{Aim, CrowdJob, CrowdRules, CrowdStep, Ending, Led};
 pub use deviation::Deviation;
 pub use eigenform_apart::Outline;
+pub use eigenform_force::{Constants, Feedback, NO_GROUP};

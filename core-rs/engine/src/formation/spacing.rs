@@ -11,6 +11,11 @@ impl Formation {
         if self.agent_count() == 0 { 0.0 } else { (sum / self.agent_count() as f64).sqrt() }
     }
 
+    /// By agent the distance to the nearest other, meters; infinite for one alone.
+    pub fn nearest_distances(&self) -> Vec<f64> {
+        self.nearest_squared(self.agent_count()).into_iter().map(f64::sqrt).collect()
+    }
+
     /// The median over the agents of the distance to the nearest other, meters (the mean of the middle two of an even number);
     /// none below two agents.
     pub fn median_spacing(&self) -> Option<f64> {
@@ -18,11 +23,20 @@ impl Formation {
         if agent_count < 2 {
             return None;
         }
+        let mut nearest = self.nearest_squared(agent_count / 2 + 1);
+        order::sort_by_key(&mut nearest, |distance| u128::from(order::of_real(*distance)));
+        let (lower, upper) = (nearest[(agent_count - 1) / 2].sqrt(), nearest[agent_count / 2].sqrt());
+        Some(f64::midpoint(lower, upper))
+    }
+
+    /// By agent the squared distance to the nearest other, where it is among the `wanted` least; others may be infinite.
+    fn nearest_squared(&self, wanted: usize) -> Vec<f64> {
+        let agent_count = self.agent_count();
         let (places, extent) = (self.places(), self.extent());
         let mut search = PairSearch::default();
         let mut nearest = vec![f64::INFINITY; agent_count];
         // What is found within the radius is final, so the radius grows only until it has found the middle.
-        let mut radius = extent / agent_count as f64;
+        let mut radius = extent / agent_count.max(1) as f64;
         loop {
             search.for_each_within(self.positions(), radius, |a, b, _| {
                 let distance_squared = places.at(a as usize).distance_squared(places.at(b as usize));
@@ -32,14 +46,11 @@ impl Formation {
                 }
             });
             let found = nearest.iter().filter(|nearest| nearest.is_finite()).count();
-            if found > agent_count / 2 || radius > extent {
-                break;
+            if found >= wanted || radius >= extent {
+                return nearest;
             }
             radius *= 2.0;
         }
-        order::sort_by_key(&mut nearest, |distance| u128::from(order::of_real(*distance)));
-        let (lower, upper) = (nearest[(agent_count - 1) / 2].sqrt(), nearest[agent_count / 2].sqrt());
-        Some(f64::midpoint(lower, upper))
     }
 }
 
@@ -68,5 +79,13 @@ mod tests {
         let square = Formation::from(vec![[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]]);
         assert!((square.rms_radius() - 2f64.sqrt()).abs() < 1e-15);
         assert!(Formation::default().rms_radius().abs() < f64::MIN_POSITIVE);
+    }
+
+    #[test]
+    fn everybody_has_a_nearest_but_one_alone() {
+        let row = Formation::from(vec![[0.0, 0.0], [1.0, 0.0], [3.0, 0.0], [9e4, 0.0]]);
+        assert_eq!(row.nearest_distances(), [1.0, 1.0, 2.0, 9e4 - 3.0]);
+        assert_eq!(Formation::from(vec![[2.0, 2.0]]).nearest_distances(), [f64::INFINITY]);
+        assert!(Formation::default().nearest_distances().is_empty());
     }
 }

@@ -4,6 +4,7 @@
 
 mod distortion;
 mod headings;
+mod movement;
 mod score;
 
 use serde::Serialize;
@@ -11,6 +12,7 @@ use serde::Serialize;
 use crate::adjacency::Adjacency;
 use crate::motion::{Approach, Motion, closeness};
 
+pub use movement::{Movement, MovementCurves, movement};
 pub use score::{Score, score};
 
 use distortion::Distortion;

@@ -8,13 +8,16 @@ mod pair_list;
 
 use glam::DVec2;
 
-use crate::formation::{Places, rise};
+use crate::formation::{Formation, Places, rise};
 
 pub use clashes::clashes;
 pub use closest::{Approach, Closeness, closeness};
 
 /// Sample times nearer than this are one, seconds: round-off of frame / frame rate, far below any frame.
 const SAME_INSTANT: f64 = 1e-9;
+
+/// The least that counts as the agents' spacing, meters.
+const LEAST_SPACING: f64 = 0.1;
 
 /// Positions of all agents at rising times.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,6 +93,22 @@ impl Motion {
     /// Where everybody is at sample `k`.
     pub fn places(&self, k: usize) -> Places<'_> {
         Places::new(self.sample(k), self.sample_heights(k))
+    }
+
+    /// The formation at sample `k`.
+    pub fn formation(&self, k: usize) -> Formation {
+        let plan = self.sample(k).to_vec();
+        match self.sample_heights(k) {
+            Some(heights) => Formation::spatial(plan, heights.to_vec()),
+            None => Formation::new(plan),
+        }
+    }
+
+    /// The mean of the median spacings at both ends, meters: at least a decimeter, since nobody is meant to stand nearer, and one
+    /// meter for one agent alone.
+    pub fn spacing(&self) -> f64 {
+        let ends = [0, self.times.len() - 1].map(|k| self.formation(k).median_spacing());
+        ends.map(|spacing| 0.5 * spacing.unwrap_or(1.0)).iter().sum::<f64>().max(LEAST_SPACING)
     }
 
     /// The diagonal of the box that holds every sample, meters.

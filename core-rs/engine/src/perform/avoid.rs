@@ -10,7 +10,7 @@ pub use suggest::Suggestion;
 use super::brief::Brief;
 use super::tied;
 use crate::choice::Choice;
-use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, Outline};
+use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, Outline, judge};
 use crate::measure::{Clearance, Extreme};
 use crate::motion::{Approach, Motion, closeness};
 use crate::obstacle::ObstacleShape;
@@ -74,14 +74,7 @@ impl Avoiding {
             return Err(guide);
         }
         let guide_clearance = closeness(&guide, 0.0).nearest().map(clearance);
-        let avoidance = Avoidance {
-            minimum_distance: brief.minimum_distance,
-            is_clamped: brief.stops().map(|is_stop| !is_stop),
-            seed: brief.seed,
-            obstacles: brief.obstacles.iter().map(|obstacle| outline(&obstacle.shape)).collect(),
-            holds: tied::holds(&guide, chain, &brief.obstacles, brief.minimum_distance),
-        };
-        Ok(Self { job: AvoidanceJob::new(avoidance, guide), guide_clearance, progress: 0.0 })
+        Ok(Self { job: AvoidanceJob::new(avoidance(brief, chain, &guide), guide), guide_clearance, progress: 0.0 })
     }
 
     /// Works for some milliseconds; what came of it once it is done.
@@ -112,6 +105,33 @@ impl Avoiding {
     /// 0–1; never falls.
     pub(super) fn progress(&self) -> f64 {
         self.progress
+    }
+}
+
+/// What a counterpart comes to where avoidance would have worked: the same numbers, found by the same check.
+pub(super) fn judged(brief: &Brief, chain: &Chain, motion: &Motion, deviation: Extreme) -> Option<Avoided> {
+    let is_asked = brief.minimum_distance > 0.0 && motion.agent_count() > 0;
+    is_asked.then(|| {
+        let report = judge(&avoidance(brief, chain, motion), motion);
+        Avoided {
+            guide_clearance: None,
+            deviation,
+            unsolved: report.unsolved.into_iter().map(clearance).collect(),
+            blocked: report.blocked,
+            breaches: report.breaches,
+            rung: 0,
+            suggestions: Vec::new(),
+        }
+    })
+}
+
+fn avoidance(brief: &Brief, chain: &Chain, guide: &Motion) -> Avoidance {
+    Avoidance {
+        minimum_distance: brief.minimum_distance,
+        is_clamped: brief.stops().map(|is_stop| !is_stop),
+        seed: brief.seed,
+        obstacles: brief.outlines(),
+        holds: tied::holds(guide, chain, &brief.obstacles, brief.minimum_distance),
     }
 }
 

@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
+use super::avoid::outline;
+use super::counterpart::Counterpart;
 use super::levels::node_way;
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Choice, Join, MethodName, Timing};
+use crate::edits::Outline;
 use crate::formation::Formation;
-use crate::scene::{Group, Keyframe, Obstacle, Scene, Segment, TransitionSpec};
+use crate::scene::{Agent, Group, Keyframe, Obstacle, Scene, Segment, TransitionSpec};
 use crate::transition::{Chain, End, Way, Ways};
 
 /// Two equal briefs have the same motion. Large parts are compared by identity.
@@ -16,7 +19,8 @@ use crate::transition::{Chain, End, Way, Ways};
 #[derive(Clone, Debug)]
 pub(super) struct Brief {
     keyframes: Vec<Seen>,
-    groups: Arc<Vec<Group>>,
+    pub(super) groups: Arc<Vec<Group>>,
+    pub(super) agents: Arc<Vec<Agent>>,
     /// The segment runs from this one of the keyframes to the next.
     at: usize,
     /// Seconds from the departure at each of them to the arrival at the next.
@@ -37,6 +41,10 @@ pub(super) struct Brief {
     pub(super) minimum_distance: f64,
     pub(super) obstacles: Arc<Vec<Obstacle>>,
     pub(super) seed: u32,
+    /// What moves it in place of what it asks for.
+    pub(super) counterpart: Option<Counterpart>,
+    /// Whether forces go on until everybody has arrived.
+    pub(super) waits: bool,
 }
 
 /// A keyframe as a segment sees it.
@@ -68,10 +76,14 @@ impl Asked {
         self
     }
 
-    /// The choice; none where auto must find it.
+    /// The choice, a crowd's guide for a crowd; none where auto must find it.
     pub(super) fn given(&self) -> Option<Choice> {
-        let TransitionSpec { method, order, alignment, sharing, chosen, .. } = self.transition;
-        if method == MethodName::Auto { self.held.or(chosen) } else { Some(Choice { method, order, alignment, sharing }) }
+        let TransitionSpec { method, order, alignment, sharing, chosen, crowd, .. } = self.transition;
+        match method {
+            MethodName::Auto => self.held.or(chosen),
+            MethodName::Crowd => Some(Choice { method: crowd.guide, order, alignment, sharing }),
+            _ => Some(Choice { method, order, alignment, sharing }),
+        }
     }
 
     /// Whether its bases may move toward those of the keyframes beside.
@@ -105,6 +117,7 @@ impl Brief {
         Self {
             keyframes: (first..).zip(known).map(seen).collect(),
             groups: scene.groups.clone(),
+            agents: track.agents.clone(),
             at: index - first,
             durations: known.windows(2).map(|pair| pair[1].time - departure(&pair[0])).collect(),
             own,
@@ -118,7 +131,14 @@ impl Brief {
             minimum_distance: scene.minimum_distance,
             obstacles: scene.obstacles.clone(),
             seed: scene.seed,
+            counterpart: None,
+            waits: false,
         }
+    }
+
+    /// The same moved by something else.
+    pub(super) fn compared(self, counterpart: Option<Counterpart>, waits: bool) -> Self {
+        Self { counterpart, waits, ..self }
     }
 
     /// The keyframes that it depends on, by number in its scene, in order.
@@ -150,6 +170,20 @@ impl Brief {
         }
     }
 
+    /// Whether forces lead its agents.
+    pub(super) fn has_crowd(&self) -> bool {
+        self.own.transition.method == MethodName::Crowd || self.counterpart.is_some()
+    }
+
+    fn has_edits(&self) -> bool {
+        self.own.transition.avoidance || self.has_crowd()
+    }
+
+    /// What stands in the way.
+    pub(super) fn outlines(&self) -> Vec<Outline> {
+        self.obstacles.iter().map(|obstacle| outline(&obstacle.shape)).collect()
+    }
+
     /// The number of the segment in its scene.
     pub(super) fn segment(&self) -> usize {
         self.keyframes[self.at].index
@@ -162,7 +196,7 @@ impl Brief {
 
     /// Whether what stands in the way matters: agents keep clear of it, or are tied to it.
     fn knows_obstacles(&self) -> bool {
-        self.own.transition.avoidance || self.keyframes.iter().any(|seen| !seen.adjacency.obstacle_ties.is_empty())
+        self.has_edits() || self.keyframes.iter().any(|seen| !seen.adjacency.obstacle_ties.is_empty())
     }
 
     /// The fraction of the segment's time at a scene time.
@@ -207,7 +241,15 @@ impl PartialEq for Brief {
             && self.beside == other.beside
             && meets(self) == meets(other)
             && numbers(self) == numbers(other)
-            && (!self.own.transition.avoidance || self.seed == other.seed)
+            && (self.counterpart, self.waits) == (other.counterpart, other.waits)
+            && (!self.has_crowd() || have_same_bodies(&self.agents, &other.agents))
+            && (!self.has_edits() || self.seed == other.seed)
             && (!self.knows_obstacles() || Arc::ptr_eq(&self.obstacles, &other.obstacles))
     }
+}
+
+/// Names and colors move nobody.
+fn have_same_bodies(agents: &Arc<Vec<Agent>>, others: &Arc<Vec<Agent>>) -> bool {
+    let bodies = |agents: &[Agent]| agents.iter().map(|agent| (agent.radius, agent.max_speed)).collect::<Vec<_>>();
+    Arc::ptr_eq(agents, others) || bodies(agents) == bodies(others)
 }

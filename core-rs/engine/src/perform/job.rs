@@ -1,19 +1,20 @@
 //! One segment's work, in steps: a busy worker cannot hear "cancel", so it pauses between any two.
 //!
-//! Ties of the keyframes → what auto chooses, here and next door → the plan → the clock → samples → keeping apart → numbers.
+//! Ties of the keyframes → what auto chooses, here and next door → the plan → the clock → samples → forces → keeping apart → numbers.
 
 use std::sync::Arc;
 
 use super::Performer;
-use super::avoid::{Avoiding, Kept};
+use super::avoid::{Avoiding, Kept, judged};
 use super::brief::Brief;
 use super::clock::{Clock, path_parameters};
+use super::crowd::{Crowded, Crowding};
 use super::performed::{Candidate, Performed};
 use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
 use super::tied;
 use super::trial::{Trial, chosen, with_resort};
-use crate::choice::Choice;
+use crate::choice::{Choice, MethodName};
 use crate::edits::Deviation;
 use crate::error::Error;
 use crate::measure;
@@ -28,7 +29,10 @@ const PLANNING_SHARE: f64 = 0.7;
 const CLOCK_SHARE: f64 = 0.05;
 
 /// How much is evaluating samples.
-const MOVING_SHARE: f64 = 0.1;
+const MOVING_SHARE: f64 = 0.05;
+
+/// How much is walking by forces.
+const CROWDING_SHARE: f64 = 0.05;
 
 /// How much is keeping agents apart; the rest is measuring.
 const AVOIDING_SHARE: f64 = 0.1;
@@ -79,6 +83,8 @@ enum Stage {
     Clocking(Plan, Sampling),
     /// Frames come a few at a time.
     Moving(Plan, Clock, Vec<f64>, Sampling),
+    /// Forces lead along what was sampled.
+    Crowding(Plan, Clock, Sampling, Box<Crowding>),
     /// Whoever is too near is kept apart.
     Avoiding(Plan, Clock, Sampling, Box<Avoiding>),
     /// The motion is settled, its numbers are to come.
@@ -102,13 +108,21 @@ pub(super) struct Plan {
     /// Where the samples will be, as far as the clock is known.
     ts: Arc<[f64]>,
     candidates: Arc<Vec<Candidate>>,
+    /// What forces came to, once they have led.
+    crowded: Option<Box<Crowded>>,
 }
 
 impl Plan {
     /// The same segment as a whole by another way, whatever is beside it.
     pub(super) fn by(&self, choice: Choice, keeps_size: bool) -> Self {
-        let ways = Ways::all(Way::of(choice, keeps_size));
-        Self { chain: self.chain.clone(), ways, hierarchy: None, ts: self.ts.clone(), candidates: self.candidates.clone() }
+        Self {
+            chain: self.chain.clone(),
+            ways: Ways::all(Way::of(choice, keeps_size)),
+            hierarchy: None,
+            ts: self.ts.clone(),
+            candidates: self.candidates.clone(),
+            crowded: None,
+        }
     }
 }
 
@@ -147,7 +161,7 @@ impl SegmentJob {
         let matrices = PLAN_MATRICES[usize::from(work.brief.stops() != [true, true])];
         let bytes = size_of_val(result.motion.positions())
             + size_of_val(result.motion.heights().unwrap_or_default())
-            + result.deviation.as_ref().map_or(0, Deviation::byte_count)
+            + result.deviations().map(Deviation::byte_count).sum::<usize>()
             + matrices * agent_count * agent_count * size_of::<f64>();
         performer.performed.put(work.brief.clone(), result.clone(), bytes);
         performer.planner.tidy();
@@ -178,12 +192,19 @@ impl Work {
                 } else {
                     let positions = std::mem::take(&mut samples.positions);
                     let guide = Motion::sampled(times, plan.chain.agent_count(), positions, samples.heights.take());
-                    match Avoiding::of(&self.brief, &plan.chain, guide) {
-                        Ok(avoiding) => Stage::Avoiding(plan, clock, samples, Box::new(avoiding)),
-                        Err(motion) => Stage::Measuring(Box::new(Attempt { plan, clock, samples, kept: Kept::as_is(motion) })),
+                    match Crowding::of(&self.brief, guide) {
+                        Ok(crowding) => Stage::Crowding(plan, clock, samples, Box::new(crowding)),
+                        Err(guide) => self.keep_apart(plan, clock, samples, guide),
                     }
                 }
             }
+            Stage::Crowding(mut plan, clock, samples, mut crowding) => match crowding.step() {
+                None => Stage::Crowding(plan, clock, samples, crowding),
+                Some((motion, crowded)) => {
+                    plan.crowded = Some(crowded);
+                    self.keep_apart(plan, clock, samples, motion)
+                }
+            },
             Stage::Avoiding(plan, clock, samples, mut avoiding) => {
                 let Some(kept) = avoiding.step(&self.brief, &plan.ways.own.choice) else {
                     self.stage = Stage::Avoiding(plan, clock, samples, avoiding);
@@ -254,7 +275,7 @@ impl Work {
         let by_groups = brief.own.transition.hierarchy;
         let hierarchy = by_groups.then(|| performer.levels.hierarchy(&scene.groups, &chain, Some(brief.segment())));
         let ts = self.known_clock().map_or(Vec::new(), |clock| self.parameters(&clock, &self.times()));
-        Plan { chain, ways, hierarchy, ts: ts.into(), candidates }
+        Plan { chain, ways, hierarchy, ts: ts.into(), candidates, crowded: None }
     }
 
     fn plan(&self, mut plan: Plan, performer: &mut Performer) -> Stage {
@@ -296,6 +317,19 @@ impl Work {
         Stage::Moving(plan, clock, times, Sampling::new(transition, ts, has_heights))
     }
 
+    /// Avoidance, where it has something to do and no counterpart is in its place.
+    fn keep_apart(&self, plan: Plan, clock: Clock, samples: Sampling, guide: Motion) -> Stage {
+        let kept = if let (Some(_), Some(crowded)) = (self.brief.counterpart, &plan.crowded) {
+            Kept { avoided: judged(&self.brief, &plan.chain, &guide, crowded.guide_deviation), ..Kept::as_is(guide) }
+        } else {
+            match Avoiding::of(&self.brief, &plan.chain, guide) {
+                Ok(avoiding) => return Stage::Avoiding(plan, clock, samples, Box::new(avoiding)),
+                Err(motion) => Kept::as_is(motion),
+            }
+        };
+        Stage::Measuring(Box::new(Attempt { plan, clock, samples, kept }))
+    }
+
     fn finish(&self, attempt: Attempt) -> Performed {
         let Attempt { plan, clock, samples, kept } = attempt;
         let (chain, brief) = (&plan.chain, &self.brief);
@@ -303,15 +337,18 @@ impl Work {
         let Kept { motion, deviation, avoided } = kept;
         let (measures, curves) = measure::measure(&motion, &samples.ts, [&source.adjacency, &target.adjacency], brief.minimum_distance);
         let held_clearance = tied::nearest(&motion, chain, &brief.obstacles);
-        let choice = plan.ways.own.choice;
+        let guide = plan.ways.own.choice;
+        let is_crowd = brief.own.transition.method == MethodName::Crowd;
         Performed {
-            choice,
-            candidates: with_resort(&plan.candidates, choice, chain, &*samples.transition, brief.minimum_distance),
+            choice: if is_crowd { Choice { method: MethodName::Crowd, ..guide } } else { guide },
+            candidates: with_resort(&plan.candidates, guide, chain, &*samples.transition, brief.minimum_distance),
             motion,
             measures,
             curves,
             avoided,
             held_clearance,
+            crowded: plan.crowded,
+            target: target.formation.clone(),
             deviation,
             transition: samples.transition,
             clock,
@@ -323,7 +360,7 @@ impl Work {
     /// Rises with every step; how many steps the planning takes is not known before.
     fn progress(&self) -> f64 {
         if self.resorts.are_needed() {
-            return PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + AVOIDING_SHARE;
+            return PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + CROWDING_SHARE + AVOIDING_SHARE;
         }
         match &self.stage {
             Stage::Tying(_) => PLANNING_SHARE * self.planned(0, 3),
@@ -333,8 +370,11 @@ impl Work {
             Stage::Planning(_) => PLANNING_SHARE * self.planned(0, 0),
             Stage::Clocking(_, path) => PLANNING_SHARE + CLOCK_SHARE * path.progress(),
             Stage::Moving(.., samples) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE * samples.progress(),
-            Stage::Avoiding(.., avoiding) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + AVOIDING_SHARE * avoiding.progress(),
-            Stage::Measuring(_) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + AVOIDING_SHARE,
+            Stage::Crowding(.., crowding) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + CROWDING_SHARE * crowding.progress(),
+            Stage::Avoiding(.., avoiding) => {
+                PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + CROWDING_SHARE + AVOIDING_SHARE * avoiding.progress()
+            }
+            Stage::Measuring(_) => PLANNING_SHARE + CLOCK_SHARE + MOVING_SHARE + CROWDING_SHARE + AVOIDING_SHARE,
         }
     }
 

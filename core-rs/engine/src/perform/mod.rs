@@ -7,6 +7,8 @@ mod auto;
 mod avoid;
 mod brief;
 mod clock;
+mod counterpart;
+mod crowd;
 mod graphs;
 mod job;
 mod levels;
@@ -29,6 +31,8 @@ use crate::scene::{Group, Obstacle, Scene};
 use crate::transition::Planner;
 
 pub use avoid::{Avoided, Suggestion};
+pub use counterpart::Counterpart;
+pub use crowd::Crowded;
 pub use job::{SegmentJob, Step};
 pub use performed::{Candidate, Performed, Report};
 pub use show::Performance;
@@ -95,11 +99,27 @@ impl Performer {
     /// Starts on segment `index`. `held`: by segment, what to use although it says `auto`; a neighbor's choice counts where segments
     /// meet with one velocity.
     pub fn begin(&mut self, scene: &Scene, index: usize, held: &[Option<Choice>]) -> SegmentJob {
-        let brief = Brief::of(scene, index, held);
+        self.begin_brief(scene, Brief::of(scene, index, held))
+    }
+
+    fn begin_brief(&mut self, scene: &Scene, brief: Brief) -> SegmentJob {
         match self.performed.get(&brief) {
             Some(known) => SegmentJob::done(known),
             None => SegmentJob::new(scene.clone(), brief),
         }
+    }
+
+    /// As [`Self::begin`], with the segment moved by something that scenes do not have. `waits`: where forces lead, until everybody
+    /// has arrived by them.
+    pub fn begin_compared(
+        &mut self,
+        scene: &Scene,
+        index: usize,
+        held: &[Option<Choice>],
+        counterpart: Option<Counterpart>,
+        waits: bool,
+    ) -> SegmentJob {
+        self.begin_brief(scene, Brief::of(scene, index, held).compared(counterpart, waits))
     }
 
     /// The whole show, at once.

@@ -7,9 +7,11 @@ use serde::Serialize;
 
 use super::avoid::Avoided;
 use super::clock::Clock;
+use super::crowd::Crowded;
 use crate::choice::Choice;
 use crate::edits::{Blocked, Deviation};
-use crate::measure::{Curves, Measures};
+use crate::formation::Formation;
+use crate::measure::{Curves, Measures, Movement, MovementCurves, movement};
 use crate::motion::Motion;
 use crate::transition::Transition;
 
@@ -29,6 +31,9 @@ pub struct Performed {
     pub avoided: Option<Avoided>,
     /// The nearest that anybody comes to an obstacle that they are tied to; none where nobody is.
     pub held_clearance: Option<Blocked>,
+    /// What forces came to; none where the segment has none.
+    pub crowded: Option<Box<Crowded>>,
+    pub(super) target: Arc<Formation>,
     pub(super) deviation: Option<Deviation>,
     pub(super) transition: Arc<dyn Transition>,
     pub(super) clock: Clock,
@@ -67,13 +72,21 @@ pub struct Report<'a> {
     avoided: Option<&'a Avoided>,
     #[serde(skip_serializing_if = "Option::is_none")]
     held_clearance: Option<&'a Blocked>,
+    #[serde(flatten)]
+    crowded: Option<&'a Crowded>,
 }
 
 impl Performed {
     /// Its numbers.
     pub fn report(&self) -> Report<'_> {
-        let Self { choice, measures, candidates, avoided, held_clearance, .. } = self;
-        Report { choice: *choice, measures, candidates, avoided: avoided.as_ref(), held_clearance: held_clearance.as_ref() }
+        let Self { choice, measures, candidates, avoided, held_clearance, crowded, .. } = self;
+        let (avoided, held_clearance, crowded) = (avoided.as_ref(), held_clearance.as_ref(), crowded.as_deref());
+        Report { choice: *choice, measures, candidates, avoided, held_clearance, crowded }
+    }
+
+    /// How the movement looks as a whole. It is found anew each time, and takes longer than all other numbers.
+    pub fn movement(&self) -> (Movement, MovementCurves) {
+        movement(&self.motion, &self.target)
     }
 
     /// Places at `times` (scene seconds within the segment), from the method itself and what keeps agents apart:
@@ -81,11 +94,17 @@ impl Performed {
     pub fn places_into(&self, times: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
         let ts: Vec<f64> = times.iter().map(|time| self.clock.parameter((time - self.start) / (self.end - self.start))).collect();
         self.transition.evaluate_into(&ts, plan, heights.as_deref_mut());
-        let Some(deviation) = &self.deviation else { return };
         let agent_count = self.transition.agent_count();
-        for (k, time) in times.iter().enumerate() {
-            let range = k * agent_count..(k + 1) * agent_count;
-            deviation.add_to(*time, &mut plan[range.clone()], heights.as_deref_mut().map(|heights| &mut heights[range]));
+        for deviation in self.deviations() {
+            for (k, time) in times.iter().enumerate() {
+                let range = k * agent_count..(k + 1) * agent_count;
+                deviation.add_to(*time, &mut plan[range.clone()], heights.as_deref_mut().map(|heights| &mut heights[range]));
+            }
         }
+    }
+
+    /// What was added to the method's own way.
+    pub(super) fn deviations(&self) -> impl Iterator<Item = &Deviation> {
+        self.crowded.iter().map(|crowded| &crowded.deviation).chain(&self.deviation)
     }
 }

@@ -48,7 +48,7 @@ impl Default for Tempo {
 
 impl Default for Agent {
     fn default() -> Self {
-        Self { name: String::new(), color: String::new(), radius: DEFAULT_RADIUS }
+        Self { name: String::new(), color: String::new(), radius: DEFAULT_RADIUS, max_speed: None }
     }
 }
 

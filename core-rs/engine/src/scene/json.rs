@@ -3,6 +3,7 @@
 //! Reading parses the text once without keeping anything, then goes down level by level over slices of it: no list is kept beyond
 //! its limit, every refusal knows its place, and hostile nesting costs no stack.
 
+mod crowd;
 mod fields;
 mod layout;
 mod places;

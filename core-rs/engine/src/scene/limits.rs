@@ -93,6 +93,25 @@ pub const TENSION: RangeInclusive<f64> = 0.0..=1.0;
 /// How much of a group's motion is its second method's.
 pub const BLEND: RangeInclusive<f64> = 0.0..=1.0;
 
+/// The top speed of an agent, meters a second: from a crawl to a jet.
+pub const MAX_SPEED: RangeInclusive<f64> = 0.01..=1_000.0;
+
+/// Constants of a crowd's forces, by their names: a reaction must be longer than a step of 1/30 s, and a reach of many spacings makes
+/// every agent everybody's neighbor.
+pub const CROWD: [(&str, RangeInclusive<f64>); 8] = [
+    ("reactionTime", 0.05..=10.0),
+    ("lookAhead", 0.05..=10.0),
+    ("strength", 0.0..=100.0),
+    ("reach", 0.01..=5.0),
+    ("groupStrength", 0.0..=100.0),
+    ("groupReach", 0.01..=20.0),
+    ("fluctuation", 0.0..=100.0),
+    ("binSize", 0.1..=1_000.0),
+];
+
+/// K, sectors of a full turn.
+pub const SECTORS: RangeInclusive<f64> = 1.0..=64.0;
+
 /// Groups with a method of their own in one segment: all of them, and the root.
 pub const NODES: usize = GROUPS + 1;
 

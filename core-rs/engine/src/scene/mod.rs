@@ -5,6 +5,7 @@
 //! Parts that the engine caches by identity are shared (`Arc`): an unchanged part is the same allocation.
 
 mod cautions;
+mod crowd;
 mod csv;
 mod defaults;
 pub mod document;
@@ -24,6 +25,7 @@ mod validate;
 use std::sync::Arc;
 
 pub use cautions::cautions;
+pub use crowd::CrowdSpec;
 pub use csv::{Read, Written, read_csv, write_csv};
 pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS, DEFAULT_TENSION};
 pub use groups::group_ties;
@@ -163,6 +165,8 @@ pub struct Agent {
     pub color: String,
     /// Body radius, meters.
     pub radius: f64,
+    /// The fastest it moves in a crowd, meters a second; none: no limit.
+    pub max_speed: Option<f64>,
 }
 
 /// A named subset; its set is its members and its children's sets.
@@ -238,6 +242,8 @@ pub struct TransitionSpec {
     pub hierarchy: bool,
     /// Groups that move by a method of their own, each once.
     pub nodes: Vec<NodeSpec>,
+    /// What the forces are told (crowd).
+    pub crowd: CrowdSpec,
 }
 
 /// How one group moves within a hierarchy.
@@ -277,6 +283,7 @@ impl Default for TransitionSpec {
             avoidance: false,
             hierarchy: false,
             nodes: Vec::new(),
+            crowd: CrowdSpec::default(),
         }
     }
 }

@@ -11,9 +11,10 @@ use std::ops::RangeInclusive;
 use super::limits;
 use super::place::Place;
 use super::unsupported;
-use super::{Agent, Group, Keyframe, Scene, Segment, Track};
+use super::{Agent, CrowdSpec, Group, Keyframe, Scene, Segment, Track};
 use crate::choice::MethodName;
 use crate::error::{Counted, Error};
+use crate::text::json;
 
 /// Checks everything that a type cannot promise; the first refusal, with its place in the words of the scene file.
 pub fn validate(scene: &Scene) -> Result<(), Error> {
@@ -107,7 +108,8 @@ fn surroundings(scene: &Scene) -> Result<(), Error> {
 fn check_agent(agent: &Agent, place: Place) -> Result<(), Error> {
     length(&agent.name, limits::NAME_CHARACTERS, place.field("name"))?;
     color(&agent.color, place.field("color"))?;
-    within(agent.radius, &limits::LENGTH, place.field("radius"))
+    within(agent.radius, &limits::LENGTH, place.field("radius"))?;
+    agent.max_speed.map_or(Ok(()), |speed| within(speed, &limits::MAX_SPEED, place.field("maxSpeed")))
 }
 
 fn check_keyframe(keyframe: &Keyframe, place: Place) -> Result<(), Error> {
@@ -167,14 +169,23 @@ fn check_segment(segment: &Segment, groups: &[Group], place: &Place) -> Result<(
         within(chosen.sharing, &limits::SHARING, place.field("sharing"))?;
         certain(chosen.method, place.field("method"))?;
     }
+    check_crowd(transition.crowd, &place.field("crowd"))?;
     nodes::check(&transition.nodes, groups, &place.field("nodes"))
 }
 
-/// A method that needs no choosing.
+fn check_crowd(mut crowd: CrowdSpec, place: &Place) -> Result<(), Error> {
+    certain(crowd.guide, place.field("guide"))?;
+    for ((name, value), (_, range)) in crowd.numbers_mut().into_iter().zip(&limits::CROWD) {
+        within(*value, range, place.field(name))?;
+    }
+    within(f64::from(crowd.sectors), &limits::SECTORS, place.field("sectors"))
+}
+
+/// A method that needs no choosing and no guide.
 fn certain(method: MethodName, place: impl Display) -> Result<(), Error> {
-    if method != MethodName::Auto {
+    if !matches!(method, MethodName::Auto | MethodName::Crowd) {
         return Ok(());
     }
     let admissible = &["spectral", "shared", "polar", "linear"];
-    Err(Error::UnknownValue { value: "\"auto\"".to_owned(), admissible, place: place.to_string() })
+    Err(Error::UnknownValue { value: json(&method), admissible, place: place.to_string() })
 }

@@ -32,7 +32,7 @@ impl Planner {
     /// Plans a segment in one go.
     ///
     /// # Panics
-    /// When a method is `auto`, or a neighbor has no way: a bug of the caller.
+    /// When a method is `auto` or `crowd`, or a neighbor has no way: a bug of the caller.
     pub fn plan(&mut self, chain: &Chain, ways: &Ways) -> Box<dyn Transition> {
         self.tidy();
         loop {
@@ -91,7 +91,7 @@ impl Planner {
 
     fn between(&mut self, couple: &Couple, choice: &Choice, keeps_size: bool) -> Option<Box<dyn Transition>> {
         Some(match choice.method {
-            MethodName::Auto => panic!("auto chooses among methods and is none"),
+            MethodName::Auto | MethodName::Crowd => panic!("auto chooses among methods, and a crowd follows one"),
             MethodName::Linear => Box::new(Linear::new(couple)),
             MethodName::Polar => Box::new(Polar::new(couple.formations(), choice.alignment)),
             MethodName::Shared => Box::new(Shared::new(couple.formations(), self.mean_basis(couple)?, choice.alignment, keeps_size)),

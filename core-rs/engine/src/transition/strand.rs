@@ -59,7 +59,7 @@ impl Planner {
             MethodName::Polar => Modes::Places,
             MethodName::Shared => Modes::Fixed(self.mean_basis(&chain.couple(pair))?),
             MethodName::Spectral => Modes::Turning(self.turning(chain, choice, pair, ends)?),
-            MethodName::Linear | MethodName::Auto => panic!("a method with modes"),
+            MethodName::Linear | MethodName::Auto | MethodName::Crowd => panic!("a method with modes"),
         };
         Some(Strand { chain, choice: *choice, keeps_size, modes })
     }

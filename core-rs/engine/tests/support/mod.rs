@@ -8,7 +8,9 @@ use eigenform::choice::{Alignment, Blend, Choice, Join, MethodName, Order, Timin
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::obstacle::ObstacleShape;
-use eigenform::scene::{Agent, Backdrop, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
+use eigenform::scene::{
+    Agent, Backdrop, CrowdSpec, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Stage, Tempo, Track, TransitionSpec,
+};
 use eigenform::scene::{Units, validate};
 use glam::DVec2;
 use proptest::collection::vec;
@@ -136,7 +138,13 @@ fn track(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strate
 }
 
 fn agent() -> impl Strategy<Value = Agent> {
-    (name(), color(), plain_or(0.25, 0.0..=1e5)).prop_map(|(name, color, radius)| Agent { name, color, radius })
+    let max_speed = option::weighted(0.3, prop_oneof![Just(2.0), 0.01..=1e3_f64]);
+    (name(), color(), plain_or(0.25, 0.0..=1e5), max_speed).prop_map(|(name, color, radius, max_speed)| Agent {
+        name,
+        color,
+        radius,
+        max_speed,
+    })
 }
 
 fn keyframes(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strategy<Value = Vec<Keyframe>> {
@@ -169,16 +177,26 @@ fn coordinate() -> impl Strategy<Value = f64> {
 }
 
 fn segment() -> impl Strategy<Value = Segment> {
-    let method =
-        prop::sample::select(vec![MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear]);
+    let method = prop_oneof![4 => certain_method(), 1 => Just(MethodName::Auto), 1 => Just(MethodName::Crowd)];
     let timing = prop::sample::select(vec![Timing::Linear, Timing::Smooth, Timing::Even]);
     let basics = (method, option::of(choice()), order(), alignment(), plain_or(0.5, 0.0..=1.0), any::<bool>(), timing);
-    let edits = (any::<bool>(), any::<bool>(), vec(node(), 0..4));
-    let transition = (basics, edits).prop_map(|(basics, (avoidance, hierarchy, nodes))| {
+    let edits = (any::<bool>(), any::<bool>(), vec(node(), 0..4), crowd());
+    let transition = (basics, edits).prop_map(|(basics, (avoidance, hierarchy, nodes, crowd))| {
         let (method, chosen, order, alignment, sharing, keep_size, timing) = basics;
-        TransitionSpec { method, chosen, order, alignment, sharing, keep_size, timing, avoidance, hierarchy, nodes }
+        TransitionSpec { method, chosen, order, alignment, sharing, keep_size, timing, avoidance, hierarchy, nodes, crowd }
     });
     prop_oneof![Just(TransitionSpec::default()), transition].prop_map(Segment::Transition)
+}
+
+fn crowd() -> impl Strategy<Value = CrowdSpec> {
+    let usual = CrowdSpec::default();
+    let forces = (plain_or(usual.strength, 0.0..=100.0), plain_or(usual.reach, 0.01..=5.0), plain_or(usual.group_strength, 0.0..=100.0));
+    let told = (certain_method(), any::<bool>(), any::<bool>(), forces, plain_or(usual.fluctuation, 0.0..=100.0), 1_u32..=64);
+    let crowd =
+        told.prop_map(move |(guide, direction_feedback, speed_feedback, (strength, reach, group_strength), fluctuation, sectors)| {
+            CrowdSpec { guide, direction_feedback, speed_feedback, strength, reach, group_strength, fluctuation, sectors, ..usual }
+        });
+    prop_oneof![Just(usual), crowd]
 }
 
 fn node() -> impl Strategy<Value = NodeSpec> {

@@ -40,6 +40,7 @@ function labelOf(options: TransitionOptions): string {
     avoidance: "Change avoidance",
     hierarchy: "Change hierarchy",
     nodes: "Change group methods",
+    crowd: "Change crowd",
   };
   const keys = Object.keys(options) as (keyof TransitionOptions)[];
   const [only] = keys;

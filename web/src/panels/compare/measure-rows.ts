@@ -39,6 +39,7 @@ function measures(units: Units): readonly Measure[] {
     { label: "Path length", value: (report) => report.pathLength.mean, format: meters },
     { label: "Top speed", value: (report) => report.topSpeed.speed, format: (value) => `${meters(value)}/s` },
     { label: "Moved to avoid", value: (report) => report.deviation?.max ?? null, format: meters, isOptional: true },
+    { label: "Missed by", value: (report) => report.arrivalError?.max ?? null, format: meters, isOptional: true },
     { label: "Unsolved", value: (report) => report.unsolved?.length ?? null, format: formatCount, isOptional: true },
   ];
 }

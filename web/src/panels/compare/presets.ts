@@ -31,6 +31,14 @@ export function presetsFor(scene: Scene): readonly Preset[] {
       ways: AVOIDING.flatMap((avoidance) => [LINEAR, SPECTRAL].map((way) => ({ options: { ...way, avoidance } }))),
     },
     {
+      id: "social-force",
+      label: "Social force, with and without a guide (section 4.3)",
+      ways: [
+        { options: SPECTRAL, counterpart: "social-force-guide" },
+        { options: SPECTRAL, counterpart: "social-force" },
+      ],
+    },
+    {
       id: "avoidance",
       label: "One way, before and after avoidance",
       ways: AVOIDING.map((avoidance) => ({ options: { avoidance } })),
@@ -42,7 +50,7 @@ export function presetsFor(scene: Scene): readonly Preset[] {
 export function sidesOf({ ways }: Preset, hand: readonly Side[]): readonly Side[] {
   return ways.flatMap((way, index) => {
     const side = hand[index % hand.length];
-    return side ? [changed({ ...side, ties: "own" }, way)] : [];
+    return side ? [changed({ ...side, ties: "own", counterpart: null }, way)] : [];
   });
 }
 

@@ -71,7 +71,7 @@ export function Sides({ first, onDone }: { first: readonly Side[]; onDone(): voi
           if (name === undefined || !report) return null;
           return (
             <SideColumn
-              key={index}
+              key={`${index} ${side.counterpart}`}
               name={name}
               side={side}
               start={start}

@@ -59,7 +59,12 @@ export function SideColumn(props: SideColumnProps) {
           />
           Avoid
         </label>
-        <button type="button" class="button" disabled={isInUse(scene, side)} onClick={onUse}>
+        <button
+          type="button"
+          class="button"
+          disabled={side.counterpart !== null || isInUse(scene, side)}
+          onClick={onUse}
+        >
           Use {name.toLowerCase()}
         </button>
       </div>

@@ -1,5 +1,6 @@
 import type { TransitionOptions } from "../../document/commands/transitions";
 import type { Choice } from "../../document/scene";
+import type { Counterpart } from "../../engine/api";
 import { NumberBox } from "../controls/number-box";
 import { Select } from "../controls/select";
 import { AlignmentSelect, MethodSelect, OrderSelect } from "../inspector/option-selects";
@@ -12,6 +13,14 @@ const TIES: readonly { value: TieChoice; label: string }[] = [
   { value: "own", label: "As tied" },
   { value: "proposed", label: "As proposed" },
   { value: "grouped", label: "Groups ×10" },
+];
+
+const OWN = "own";
+
+const KEPT_APART: readonly { value: Counterpart | typeof OWN; label: string }[] = [
+  { value: OWN, label: "As it says" },
+  { value: "social-force-guide", label: "Social force on its way" },
+  { value: "social-force", label: "Social force alone" },
 ];
 
 /** The method of one way and what it can be told, in a line. */
@@ -41,6 +50,12 @@ export function SideOptions(props: {
           onCommit={(sharing) => option.onChange(takenOver(spec, choice, { sharing }))}
         />
       )}
+      <Select
+        label="Kept apart"
+        value={side.counterpart ?? OWN}
+        choices={KEPT_APART}
+        onChoose={(way) => onChange({ counterpart: way === OWN ? null : way })}
+      />
       {ties.length > 1 && (
         <Select
           label="Ties"

@@ -13,7 +13,7 @@ function show(): Scene {
   const places = [0, 5, 0, 5].map((x) => Formation.from([[x, 0]]));
   return updateTrack(emptyScene(), (track) => ({
     ...track,
-    agents: [{ name: "", color: "", radius: 0.25 }],
+    agents: [{ name: "", color: "", radius: 0.25, maxSpeed: null }],
     keyframes: places.map((place, index) => ({ ...keyframeAt(6 * index, place), hold: 1 })),
     segments: places.slice(1).map(() => DEFAULT_SEGMENT),
   }));

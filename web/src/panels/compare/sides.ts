@@ -1,6 +1,7 @@
 import { setTransition, type TransitionOptions } from "../../document/commands/transitions";
 import { mainTrack, type Scene, type Segment } from "../../document/scene";
 import type { Command } from "../../document/store";
+import type { Counterpart } from "../../engine/api";
 import { type TieChoice, tiedScene } from "./side-ties";
 
 /** One of the ways to be compared: a transition of the scene, and what it is tried with. */
@@ -8,12 +9,15 @@ export interface Side {
   readonly segment: number;
   readonly spec: Segment;
   readonly ties: TieChoice;
+  /** What moves it in place of its method and avoidance; no scene has that. */
+  readonly counterpart: Counterpart | null;
 }
 
 /** What changes about a side. */
 export interface SideChange {
   readonly options?: TransitionOptions;
   readonly ties?: TieChoice;
+  readonly counterpart?: Counterpart | null;
 }
 
 /** A transition by itself, moved in time so that all sides leave at the same moment. */
@@ -55,8 +59,8 @@ export function trialOf(whole: Scene, { segment, spec, ties }: Side, start: numb
 }
 
 /** A changed option is the person's own choice: what auto took before is forgotten. */
-export function changed(side: Side, { options, ties = side.ties }: SideChange): Side {
-  return { ...side, ties, spec: options ? { ...side.spec, ...options, chosen: null } : side.spec };
+export function changed(side: Side, { options, ties = side.ties, counterpart = side.counterpart }: SideChange): Side {
+  return { ...side, ties, counterpart, spec: options ? { ...side.spec, ...options, chosen: null } : side.spec };
 }
 
 /** Takes a side over into the scene, its ties too. */

@@ -15,15 +15,16 @@ export interface PlannedTrial {
   readonly segment: number;
 }
 
-/** Plans a side that leaves at `start`, and plans anew when it is another; ends with the view. */
+/** Plans a side that leaves at `start`, and plans anew when it is another, with one counterpart; ends with the view. */
 export function useTrial(side: Side, start: number, time: Signal<number>): PlannedTrial {
   const whole = useStudio().document.scene.value;
   const solo = useSolo();
+  const { counterpart } = side;
   const trial = useMemo((): Trial => trialOf(whole, side, start), [whole, side, start]);
   const [planned] = useState(() => {
     const scene = signal(trial.scene);
     // What it watches is known to nobody else: it goes when the view does.
-    return { scene, planner: createPlanner({ scene, isDragging: signal(false), time, crew: solo }) };
+    return { scene, planner: createPlanner({ scene, isDragging: signal(false), time, crew: solo, counterpart }) };
   });
   useEffect(() => {
     planned.scene.value = trial.scene;

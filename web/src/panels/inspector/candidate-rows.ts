@@ -34,6 +34,7 @@ function rowOf(candidate: Candidate): CandidateRow {
     shared: alignmentWord(candidate.alignment),
     polar: alignmentWord(candidate.alignment),
     linear: "",
+    crowd: "",
     auto: "",
   };
   return { candidate, name: methodWord(candidate.method), detail: details[candidate.method] };

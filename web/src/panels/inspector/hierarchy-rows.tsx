@@ -9,14 +9,10 @@ import { Select } from "../controls/select";
 import { Switch } from "../controls/switch";
 import { useStudio } from "../studio";
 import { SHARE } from "./quantities";
-import { METHODS } from "./words";
+import { PLAIN_METHODS } from "./words";
 
 const INHERITED = "inherited";
 const NOBODY = "nobody";
-
-type Certain = Exclude<MethodName, "auto">;
-
-const CERTAIN = METHODS.filter((word) => word.value !== "auto") as readonly { value: Certain; label: string }[];
 
 /** Whether groups move as wholes, and which of them by a way of their own. */
 export function HierarchyRows(props: { index: number; segment: Segment; choice: Choice | null }) {
@@ -70,7 +66,7 @@ function NodeRows({ index, segment, path }: { index: number; segment: Segment; p
         <Select
           label={`Method of ${name}`}
           value={node.method}
-          choices={[...CERTAIN, { value: INHERITED, label: "As the transition" }]}
+          choices={[...PLAIN_METHODS, { value: INHERITED, label: "As the transition" }]}
           onChoose={(method) => document.perform(method === INHERITED ? setNode(index, path, null) : set({ method }))}
         />
       </Row>
@@ -78,7 +74,7 @@ function NodeRows({ index, segment, path }: { index: number; segment: Segment; p
         <Select
           label={`Blend of ${name}`}
           value={blend?.method ?? INHERITED}
-          choices={[{ value: INHERITED, label: "Nothing" }, ...CERTAIN]}
+          choices={[{ value: INHERITED, label: "Nothing" }, ...PLAIN_METHODS]}
           onChoose={(method) =>
             document.perform(
               set({ blend: method === INHERITED ? null : { method, amount: blend?.amount ?? FIRST_AMOUNT } }),

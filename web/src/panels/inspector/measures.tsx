@@ -1,4 +1,3 @@
-import type { ComponentChildren } from "preact";
 import { obstacleLabel } from "../../document/obstacle";
 import { agentLabel } from "../../document/queries";
 import {
@@ -10,7 +9,9 @@ import {
   lengthWithUnit,
 } from "../../document/units";
 import type { SegmentPlan } from "../../engine/api";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
+import { Measure } from "./measure";
 import { Plot } from "./plot";
 import { Section } from "./section";
 
@@ -18,8 +19,10 @@ import { Section } from "./section";
 const LITTLE_DISTORTION = 0.1;
 const LITTLE_TURNING = (5 * Math.PI) / 180;
 
+const MovementMeasures = lazily(() => import("./movement-measures").then((part) => part.MovementMeasures));
+
 /** How well a transition keeps the group together: over time, and in its worst moment. */
-export function Measures({ plan }: { plan: SegmentPlan }) {
+export function Measures({ plan, index }: { plan: SegmentPlan; index: number }) {
   const { document } = useStudio();
   const scene = document.scene.value;
   const { units } = scene.stage;
@@ -88,19 +91,7 @@ export function Measures({ plan }: { plan: SegmentPlan }) {
         unit={`${units}/s`}
         worst={`agent ${agentLabel(scene, speed.agent)}`}
       />
+      <MovementMeasures index={index} />
     </Section>
-  );
-}
-
-function Measure(props: { label: string; plot: ComponentChildren; value: string; unit?: string; worst: string }) {
-  return (
-    <dl class="measure">
-      <dt>{props.label}</dt>
-      <dd class="measure-plot">{props.plot}</dd>
-      <dd class="measure-value number">
-        {props.value} {props.unit && <span class="unit">{props.unit}</span>}
-        <small>{props.worst}</small>
-      </dd>
-    </dl>
   );
 }

@@ -16,7 +16,8 @@ export interface OptionsShown {
 export function optionsShown(segment: Segment, choice: Choice | null): OptionsShown {
   const isAuto = segment.method === "auto";
   const source = isAuto && choice ? optionsOf(segment, choice) : segment;
-  const hears = (...methods: MethodName[]) => isAuto || methods.includes(segment.method);
+  const method = guideOf(segment);
+  const hears = (...methods: MethodName[]) => isAuto || methods.includes(method);
   return {
     order: source.order,
     alignment: source.alignment,
@@ -26,6 +27,11 @@ export function optionsShown(segment: Segment, choice: Choice | null): OptionsSh
     hasSharing: hears("spectral"),
     hasKeepSize: hears("spectral", "shared"),
   };
+}
+
+/** The method that reads the options: a crowd's is that of its guide. */
+function guideOf(segment: Segment): MethodName {
+  return segment.method === "crowd" ? segment.crowd.guide : segment.method;
 }
 
 /**

@@ -5,6 +5,7 @@ import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
 import { Select } from "../controls/select";
 import { Switch } from "../controls/switch";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { HierarchyRows } from "./hierarchy-rows";
 import { MinimumDistanceRow } from "./minimum-distance-row";
@@ -12,6 +13,8 @@ import { AlignmentSelect, MethodSelect, OrderSelect } from "./option-selects";
 import { optionsShown, takenOver } from "./options-shown";
 import { SHARING } from "./quantities";
 import { alignmentNote, orderNote, TIMINGS, timingNote } from "./words";
+
+const CrowdRows = lazily(() => import("./crowd-rows").then((part) => part.CrowdRows));
 
 /** The method and what it can be told. Under auto the options read what auto took; changing one takes over from it. */
 export function TransitionOptions(props: { index: number; segment: Segment; choice: Choice | null }) {
@@ -29,6 +32,7 @@ export function TransitionOptions(props: { index: number; segment: Segment; choi
       <Row label="Method">
         <MethodSelect {...option} />
       </Row>
+      {segment.method === "crowd" && <CrowdRows index={index} segment={segment} />}
       {shown.hasOrder && (
         <Row label="Order" note={orderNote(shown.order)}>
           <OrderSelect {...option} />

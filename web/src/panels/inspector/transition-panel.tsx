@@ -44,7 +44,7 @@ export function TransitionPanel({ index }: { index: number }) {
         <PlanningNote view={view} />
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
       </Section>
-      {view.plan && <Measures plan={view.plan} />}
+      {view.plan && <Measures plan={view.plan} index={index} />}
       <Section>
         <div class="inspector-buttons">
           <WordAction id="compare" class="button">

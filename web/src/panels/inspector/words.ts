@@ -1,5 +1,7 @@
 import type { Alignment, Join, MethodName, Order, Timing } from "../../document/scene";
 
+export type PlainMethod = Exclude<MethodName, "auto" | "crowd">;
+
 interface Word<T extends string> {
   readonly value: T;
   readonly label: string;
@@ -11,7 +13,13 @@ export const METHODS: readonly Word<MethodName>[] = [
   { value: "shared", label: "Shared" },
   { value: "polar", label: "Polar" },
   { value: "linear", label: "Linear" },
+  { value: "crowd", label: "Crowd" },
 ];
+
+/** Methods that need no choosing and follow no other: of groups, and of a crowd's guide. */
+export const PLAIN_METHODS = METHODS.filter(
+  (word): word is Word<PlainMethod> => word.value !== "auto" && word.value !== "crowd",
+);
 
 /** A word that needs a few more, which stand by the control. */
 type NotedWord<T extends string> = Word<T> & { readonly note: string };

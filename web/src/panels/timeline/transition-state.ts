@@ -8,6 +8,7 @@ export const METHOD_WORDS: Readonly<Record<MethodName, string>> = {
   shared: "Shared",
   polar: "Polar",
   linear: "Linear",
+  crowd: "Crowd",
 };
 
 /** What a ribbon says of its transition. */

@@ -9,12 +9,9 @@ use super::reroute::reroute;
 use super::rungs::{RUNGS, Ways};
 use super::sampling::{at_knots, at_samples, difference, lifted, sum};
 use super::swirl::{is_sane, stuck, swirl};
-use super::{Avoidance, AvoidanceReport, Edited};
+use super::{Avoidance, AvoidanceReport, BREACH_LIMIT, Edited, SLACK};
 use crate::edits::deviation::Deviation;
 use crate::motion::{Approach, Motion, clashes};
-
-/// What the exact check lets pass, meters: positions are exact to a thousandth of it.
-const SLACK: f64 = 1e-6;
 
 /// Pushes of one step; a few milliseconds.
 const VISITS_PER_STEP: usize = 20_000;
@@ -27,9 +24,6 @@ const REPAIRABLE_SAMPLES: usize = 4_000_000;
 
 /// So many knots have a number of their own.
 const REPAIRABLE_LENGTH: usize = 1 << 16;
-
-/// A pile of agents in one place has more breaches than anyone reads.
-const BREACH_LIMIT: usize = 1_000;
 
 /// What a step came to.
 pub enum AvoidanceStep {

@@ -13,7 +13,7 @@ mod rungs;
 mod sampling;
 mod swirl;
 
-use crate::motion::{Approach, Motion};
+use crate::motion::{Approach, Motion, clashes};
 
 use super::deviation::Deviation;
 
@@ -21,6 +21,12 @@ pub use breaches::{Breach, Other};
 pub use eigenform_apart::Outline;
 pub use job::{AvoidanceJob, AvoidanceStep};
 pub use obstacles::{Blocked, Hold, nearest_to};
+
+/// What the exact check lets pass, meters: positions are exact to a thousandth of it.
+const SLACK: f64 = 1e-6;
+
+/// A pile of agents in one place has more breaches than anyone reads.
+const BREACH_LIMIT: usize = 1_000;
 
 /// What to keep apart, and how freely.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,5 +72,17 @@ impl AvoidanceReport {
     /// Proved: nobody is too near at any moment.
     pub fn is_solved(&self) -> bool {
         self.unsolved.is_empty() && self.blocked.is_empty() && self.breaches.is_empty()
+    }
+}
+
+/// The exact check alone, of a motion that something else keeps apart; the deviation is the caller's.
+pub fn judge(avoidance: &Avoidance, motion: &Motion) -> AvoidanceReport {
+    let least = avoidance.minimum_distance - SLACK;
+    AvoidanceReport {
+        deviation: [0.0; 2],
+        unsolved: clashes(motion, least),
+        blocked: avoidance.blocked(motion, SLACK),
+        breaches: if motion.agent_count() > 0 { breaches::breaches(motion, avoidance, SLACK, BREACH_LIMIT) } else { Vec::new() },
+        rung: 0,
     }
 }

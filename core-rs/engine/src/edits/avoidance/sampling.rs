@@ -3,15 +3,9 @@
 use eigenform_apart::Paths;
 use glam::{DVec2, DVec3};
 
+use crate::edits::grain::rounded;
 use crate::edits::spline::Spline;
 use crate::motion::Motion;
-
-/// Guides are rounded to this, meters: machines that differ in a guide's last bits then push the same way.
-const GRAIN: f64 = 1.0 / (1 << 20) as f64;
-
-fn rounded(p: DVec3) -> DVec3 {
-    (p / GRAIN).round() * GRAIN
-}
 
 /// The guide at `knot_count` evenly spaced instants, straight between its samples, rounded.
 pub(super) fn at_knots(guide: &Motion, knot_count: usize) -> Paths {

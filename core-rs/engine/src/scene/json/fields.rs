@@ -92,6 +92,11 @@ impl<'a> Fields<'a, '_> {
         self.get(name).map_or(Ok(false), |value| value.flag())
     }
 
+    /// A flag that is set where it is absent.
+    pub(super) fn set_flag(&self, name: &'static str) -> Result<bool, Error> {
+        self.get(name).map_or(Ok(true), |value| value.flag())
+    }
+
     pub(super) fn word<T: Default + DeserializeOwned>(&self, name: &'static str, later: &[&str]) -> Result<T, Error> {
         self.get(name).map_or_else(|| Ok(T::default()), |value| value.word(later))
     }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::crowd::crowd;
 use super::fields::{Fields, Only};
 use super::places::{entry, formation, obstacle};
 use super::value::Value;
@@ -62,7 +63,6 @@ const NODE: &[&str] = &["group", "method", "blend"];
 const BLEND: &[&str] = &["method", "amount"];
 
 const KINDS: &[&str] = &["transition"];
-const LATER_METHODS: &[&str] = &["crowd"];
 
 /// The scene of a scene file.
 pub fn read_json(text: &str) -> Result<Scene, Error> {
@@ -269,18 +269,22 @@ fn keyframe(value: Value, standing: &mut Standing) -> Result<Keyframe, Error> {
 
 fn agent(value: Value) -> Result<Agent, Error> {
     let fields = value.object(AGENT)?;
-    fields.only("maxSpeed", &Only::Null)?;
-    Ok(Agent { name: fields.string("name")?, color: fields.string("color")?, radius: fields.number("radius", Agent::default().radius)? })
+    Ok(Agent {
+        name: fields.string("name")?,
+        color: fields.string("color")?,
+        radius: fields.number("radius", Agent::default().radius)?,
+        max_speed: fields.optional("maxSpeed", |speed| speed.number())?,
+    })
 }
 
 fn segment(value: Value) -> Result<Segment, Error> {
     let fields = value.object(SEGMENT)?;
     fields.only("kind", &Only::Word("transition", KINDS))?;
-    for name in ["path", "assignment", "crowd"] {
+    for name in ["path", "assignment"] {
         fields.only(name, &Only::Null)?;
     }
     Ok(Segment::Transition(TransitionSpec {
-        method: fields.word("method", LATER_METHODS)?,
+        method: fields.word("method", &[])?,
         chosen: fields.optional("chosen", choice)?,
         order: fields.word("order", &[])?,
         alignment: fields.word("alignment", &[])?,
@@ -290,6 +294,7 @@ fn segment(value: Value) -> Result<Segment, Error> {
         avoidance: fields.flag("avoidance")?,
         hierarchy: fields.flag("hierarchy")?,
         nodes: fields.list("nodes", limits::NODES, Counted::Nodes, node)?,
+        crowd: fields.optional("crowd", crowd)?.unwrap_or_default(),
     }))
 }
 
@@ -297,20 +302,20 @@ fn node(value: Value) -> Result<NodeSpec, Error> {
     let fields = value.object(NODE)?;
     Ok(NodeSpec {
         group: fields.list("group", limits::GROUP_DEPTH, Counted::Levels, |index| index.whole())?,
-        method: fields.required("method")?.word(LATER_METHODS)?,
+        method: fields.required("method")?.word(&[])?,
         blend: fields.optional("blend", blend)?,
     })
 }
 
 fn blend(value: Value) -> Result<Blend, Error> {
     let fields = value.object(BLEND)?;
-    Ok(Blend { method: fields.required("method")?.word(LATER_METHODS)?, amount: fields.required("amount")?.number()? })
+    Ok(Blend { method: fields.required("method")?.word(&[])?, amount: fields.required("amount")?.number()? })
 }
 
 fn choice(value: Value) -> Result<Choice, Error> {
     let fields = value.object(CHOICE)?;
     Ok(Choice {
-        method: fields.required("method")?.word(LATER_METHODS)?,
+        method: fields.required("method")?.word(&[])?,
         order: fields.word("order", &[])?,
         alignment: fields.word("alignment", &[])?,
         sharing: fields.number("sharing", DEFAULT_SHARING)?,

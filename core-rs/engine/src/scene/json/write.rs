@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::crowd::write_crowd;
 use super::layout::Layout;
 use crate::adjacency::AdjacencySpec;
 use crate::choice::Choice;
@@ -79,6 +80,9 @@ fn agents(out: &mut Layout, agents: &[Agent]) {
             string(out, "name", &agent.name);
             string(out, "color", &agent.color);
             number(out, "radius", agent.radius, default.radius);
+            if let Some(speed) = agent.max_speed {
+                out.key("maxSpeed").number(speed);
+            }
         });
     });
 }
@@ -178,6 +182,9 @@ fn transition_fields(out: &mut Layout, transition: &TransitionSpec) {
     if !transition.nodes.is_empty() {
         out.key("nodes").list_line(&transition.nodes, node);
     }
+    if transition.crowd != default.crowd {
+        write_crowd(out.key("crowd"), &transition.crowd);
+    }
 }
 
 fn node(out: &mut Layout, node: &NodeSpec) {
@@ -225,7 +232,7 @@ fn numbers(out: &mut Layout, numbers: &[f64]) {
     out.list_line(numbers, |out, number| out.number(*number));
 }
 
-fn number(out: &mut Layout, name: &str, value: f64, default: f64) {
+pub(super) fn number(out: &mut Layout, name: &str, value: f64, default: f64) {
     if value.to_bits() != default.to_bits() {
         out.key(name).number(value);
     }
@@ -249,6 +256,6 @@ fn word<T: Serialize + Default + PartialEq>(out: &mut Layout, name: &str, word: 
     }
 }
 
-fn required_word<T: Serialize>(out: &mut Layout, name: &str, word: &T) {
+pub(super) fn required_word<T: Serialize>(out: &mut Layout, name: &str, word: &T) {
     out.key(name).raw(&json(word));
 }

@@ -4,7 +4,8 @@
 
 use std::sync::Arc;
 
-use super::document::{Document, Fields, METHODS, newer};
+use super::crowds::has_crowds;
+use super::document::{Document, Fields, METHODS};
 use super::graph::{Pairs, code_count};
 use super::models::{Integer, Number};
 use super::positions::Formations;
@@ -14,7 +15,7 @@ use crate::adjacency::AdjacencySpec;
 use crate::choice::{Blend, Join, MethodName};
 use crate::error::Error;
 use crate::obstacle::ObstacleShape;
-use crate::scene::{DEFAULT_TENSION, NodeSpec, Obstacle, Scene, Segment, TransitionSpec, limits};
+use crate::scene::{CrowdSpec, DEFAULT_TENSION, NodeSpec, Obstacle, Scene, Segment, TransitionSpec, limits};
 use glam::DVec2;
 
 // The place in this list is the value in the link: append only.
@@ -32,11 +33,18 @@ pub fn has_additions(document: &Document) -> bool {
         || keyframes.iter().any(|keyframe| keyframe.corner || keyframe.adjacency.as_deref().is_some_and(has_ties))
         || tracks[0].segments.iter().any(|segment| *segment != basics_of_segment(segment))
         || !document.heights.is_empty()
+        || has_crowds(&tracks[0])
 }
 
 /// A segment as the first fields tell it.
 pub fn basics_of_segment(Segment::Transition(transition): &Segment) -> Segment {
-    Segment::Transition(TransitionSpec { avoidance: false, hierarchy: false, nodes: Vec::new(), ..*transition })
+    Segment::Transition(TransitionSpec {
+        avoidance: false,
+        hierarchy: false,
+        nodes: Vec::new(),
+        crowd: CrowdSpec::default(),
+        ..*transition
+    })
 }
 
 /// An adjacency as the first fields tell it.
@@ -62,10 +70,10 @@ impl Fields<'_> {
             self.code_obstacle_ties(&mut pairs, Arc::make_mut(own))?;
         }
         self.code_heights(cells, heights)?;
-        // Set by a later version that has more to say.
-        let mut has_more = false;
+        let track = &mut scene.tracks[0];
+        let mut has_more = has_crowds(track);
         self.coder.bit(&mut Bit::likely(false), &mut has_more);
-        if has_more { Err(newer()) } else { Ok(()) }
+        if has_more { self.code_crowds(track) } else { Ok(()) }
     }
 
     /// Avoidance and hierarchy; segments are mostly alike.

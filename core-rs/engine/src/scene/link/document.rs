@@ -21,8 +21,8 @@ use crate::scene::{Agent, Backdrop, Group, Keyframe, Scene, Segment, Stage, Temp
 const BACKDROPS: [Backdrop; 6] =
     [Backdrop::Grid, Backdrop::None, Backdrop::FootballCollege, Backdrop::FootballHs, Backdrop::Soccer, Backdrop::Stage];
 const UNITS: [Units; 4] = [Units::M, Units::Ft, Units::Yd, Units::Steps];
-pub(super) const METHODS: [MethodName; 5] =
-    [MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear];
+pub(super) const METHODS: [MethodName; 6] =
+    [MethodName::Auto, MethodName::Spectral, MethodName::Shared, MethodName::Polar, MethodName::Linear, MethodName::Crowd];
 const ORDERS: [Order; 4] = [Order::Greedy, Order::Eigenvalue, Order::Maxmin, Order::Hungarian];
 const ALIGNMENTS: [Alignment; 3] = [Alignment::Pca, Alignment::None, Alignment::Procrustes];
 const TIMINGS: [Timing; 3] = [Timing::Smooth, Timing::Linear, Timing::Even];
@@ -293,7 +293,7 @@ impl Fields<'_> {
     }
 }
 
-fn as_integer(value: f64) -> Result<u32, Error> {
+pub(super) fn as_integer(value: f64) -> Result<u32, Error> {
     let integer = value as u32;
     if f64::from(integer).to_bits() == value.to_bits() { Ok(integer) } else { Err(Error::LinkDamaged) }
 }

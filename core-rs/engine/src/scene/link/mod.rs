@@ -4,6 +4,7 @@
 //! The head is what tells a cut link from a damaged one; everything else about a link is decided in `document`.
 
 mod additions;
+mod crowds;
 mod document;
 mod graph;
 mod models;

@@ -1,0 +1,224 @@
+//! The walk in steps: sample by sample, each in as many moments as the forces need.
+
+use eigenform_apart::Paths;
+use eigenform_force::{Bodies, Crowd, Setting};
+use glam::DVec2;
+
+use super::ending::{ended, smoothed};
+use super::guide::Guide;
+use super::{Aim, CrowdRules, Ending, Led};
+use crate::edits::deviation::Deviation;
+use crate::motion::Motion;
+
+/// Moments a second, at least.
+const MOMENTS: f64 = 30.0;
+
+/// Agents × moments of one step; some milliseconds.
+const MOVES_PER_STEP: usize = 20_000;
+
+/// Whoever is this near to the target has arrived, units: forces alone never end in a place.
+const ARRIVED: f64 = 0.25;
+
+/// How long to wait for those who do not arrive, as a multiple of the guide's time.
+const PATIENCE: f64 = 4.0;
+
+/// The body that the constants are made for, meters: that of a person.
+const USUAL_RADIUS: f64 = 0.25;
+
+/// How fast those want to be who are late, as a multiple of the fastest on the guide.
+const HURRY: f64 = 1.5;
+
+/// What a step came to.
+pub enum CrowdStep {
+    /// How far it is, 0–1; never falls.
+    Progress(f64),
+    /// It is walked.
+    Done(Box<Led>),
+}
+
+/// A crowd on its way along a guide.
+pub struct CrowdJob {
+    rules: CrowdRules,
+    guide: Guide,
+    crowd: Crowd,
+    /// Samples walked.
+    at: usize,
+    offsets: Paths,
+    /// When everybody had arrived, if they have.
+    arrived_at: Option<f64>,
+    /// Past the guide's end, while those who are late are waited for.
+    overtime: f64,
+}
+
+impl CrowdJob {
+    /// Nobody has moved yet.
+    ///
+    /// # Panics
+    /// When the lists of the rules do not have an entry an agent.
+    pub fn new(rules: CrowdRules, guide: Motion) -> Self {
+        let offsets = Paths::new(guide.agent_count(), guide.times().len(), 2);
+        let guide = Guide::new(guide, rules.unit);
+        let crowd = crowd(&rules, &guide);
+        Self { rules, guide, crowd, at: 0, offsets, arrived_at: None, overtime: 0.0 }
+    }
+
+    /// Walks for some milliseconds; longer where a crowd of thousands is dense.
+    pub fn step(&mut self) -> CrowdStep {
+        let agent_count = self.guide.motion().agent_count();
+        let mut moves = 0;
+        while moves < MOVES_PER_STEP {
+            let moments = if self.at + 1 < self.guide.motion().times().len() {
+                self.walk()
+            } else if self.rules.waits && self.arrived_at.is_none() && self.overtime < PATIENCE * self.duration() {
+                self.wait()
+            } else {
+                return CrowdStep::Done(Box::new(self.finish()));
+            };
+            moves += moments * agent_count.max(1);
+        }
+        CrowdStep::Progress(self.at as f64 / self.guide.motion().times().len() as f64)
+    }
+
+    fn duration(&self) -> f64 {
+        let [start, end] = self.guide.span();
+        end - start
+    }
+
+    /// To the next sample; answers in how many moments.
+    fn walk(&mut self) -> usize {
+        let [from, to] = [self.at, self.at + 1].map(|k| self.guide.motion().times()[k]);
+        let moments = ((to - from) * MOMENTS - 1e-9).ceil().max(1.0);
+        let seconds = (to - from) / moments;
+        for moment in 0..moments as usize {
+            self.move_on(from + moment as f64 * seconds, seconds);
+        }
+        self.at += 1;
+        for agent in 0..self.guide.motion().agent_count() {
+            let offset = self.place(agent) - self.guide.sample(self.at, agent);
+            self.offsets.path_mut(0, agent)[self.at] = offset.x;
+            self.offsets.path_mut(1, agent)[self.at] = offset.y;
+        }
+        self.note_arrival(to);
+        moments as usize
+    }
+
+    /// A second beyond the guide's end.
+    fn wait(&mut self) -> usize {
+        let [_, end] = self.guide.span();
+        for _ in 0..MOMENTS as usize {
+            self.move_on(end + self.overtime, 1.0 / MOMENTS);
+            self.overtime += 1.0 / MOMENTS;
+            self.note_arrival(end + self.overtime);
+            if self.arrived_at.is_some() {
+                break;
+            }
+        }
+        MOMENTS as usize
+    }
+
+    fn move_on(&mut self, time: f64, seconds: f64) {
+        let [_, end] = self.guide.span();
+        let (look_ahead, next) = (self.rules.constants.look_ahead, time + seconds);
+        let (aim, within) = match self.rules.aim {
+            Aim::Guide => (next + look_ahead, look_ahead + seconds),
+            // As fast as to be there in time: the way that is left in the time that is left.
+            Aim::Target => (end, (end - time).max(look_ahead)),
+        };
+        self.guide.places_into(aim.min(end), self.crowd.aims_mut());
+        self.crowd.step(seconds, within);
+    }
+
+    fn place(&self, agent: usize) -> DVec2 {
+        let [x, y] = self.crowd.places();
+        DVec2::new(x[agent], y[agent]) * self.rules.unit
+    }
+
+    fn errors(&self) -> impl Iterator<Item = f64> {
+        let last = self.guide.motion().times().len() - 1;
+        (0..self.guide.motion().agent_count()).map(move |agent| self.place(agent).distance(self.guide.sample(last, agent)))
+    }
+
+    fn note_arrival(&mut self, time: f64) {
+        let is_there = self.errors().all(|error| error <= ARRIVED * self.rules.unit);
+        self.arrived_at = if is_there { self.arrived_at.or(Some(time)) } else { None };
+    }
+
+    fn finish(&mut self) -> Led {
+        let Self { rules, guide, offsets, .. } = self;
+        let (motion, last) = (guide.motion(), guide.motion().times().len() - 1);
+        let arrival_error = mean_and_greatest((0..motion.agent_count()).map(|agent| length(offsets, agent, last)));
+        let (offsets, is_clamped) = match rules.ending {
+            Ending::Exact => (ended(offsets, motion.times()), true),
+            Ending::Smoothed(least) => (smoothed(offsets, motion, least), true),
+            Ending::AsItComes => (offsets.clone(), false),
+        };
+        let distances = (0..motion.agent_count()).flat_map(|agent| (0..=last).map(move |k| (agent, k)));
+        Led {
+            motion: moved(motion, &offsets),
+            distance: mean_and_greatest(distances.map(|(agent, k)| length(&offsets, agent, k))),
+            deviation: Deviation::new(motion.times().to_vec(), &offsets, [true, is_clamped]),
+            arrival_error,
+            arrived_after: self.arrived_at.filter(|_| rules.waits).map(|time| time - motion.times()[0]),
+        }
+    }
+}
+
+fn crowd(rules: &CrowdRules, guide: &Guide) -> Crowd {
+    let agent_count = guide.motion().agent_count();
+    let places = |time: f64| {
+        let (mut x, mut y) = (vec![0.0; agent_count], vec![0.0; agent_count]);
+        guide.places_into(time, [&mut x, &mut y]);
+        (x, y)
+    };
+    let [start, _] = guide.span();
+    let (seconds, (x, y)) = (1.0 / MOMENTS, places(start));
+    let (next_x, next_y) = places(start + seconds);
+    let velocity = |from: &[f64], to: Vec<f64>| to.into_iter().zip(from).map(|(to, from)| (to - from) / seconds).collect();
+    let in_units = |lengths: &[f64]| lengths.iter().map(|length| length / rules.unit).collect();
+    let bodies = Bodies {
+        vx: velocity(&x, next_x),
+        vy: velocity(&y, next_y),
+        x,
+        y,
+        radius: in_units(&rules.radius),
+        top_speed: in_units(&rules.top_speed),
+        group: rules.group.clone(),
+    };
+    let outlines = rules.obstacles.iter().map(|outline| {
+        let mut outline = outline.clone();
+        outline.points.iter_mut().flatten().for_each(|along| *along /= rules.unit);
+        outline.radius /= rules.unit;
+        outline
+    });
+    let setting = Setting {
+        obstacles: outlines.collect(),
+        usual_radius: USUAL_RADIUS / rules.unit,
+        hurry: HURRY * guide.top_speed(),
+        seed: rules.seed,
+    };
+    Crowd::new(rules.constants, rules.feedback, bodies, setting)
+}
+
+fn length(offsets: &Paths, agent: usize, k: usize) -> f64 {
+    let [x, y, _] = offsets.place(agent, k);
+    x.hypot(y)
+}
+
+fn mean_and_greatest(lengths: impl Iterator<Item = f64>) -> [f64; 2] {
+    let (count, sum, greatest) =
+        lengths.fold((0_usize, 0.0, 0.0_f64), |(count, sum, greatest), length| (count + 1, sum + length, greatest.max(length)));
+    [sum / count.max(1) as f64, greatest]
+}
+
+/// The guide with offsets added, in plan.
+pub(super) fn moved(guide: &Motion, offsets: &Paths) -> Motion {
+    let agent_count = guide.agent_count();
+    let mut positions = guide.positions().to_vec();
+    for agent in 0..agent_count {
+        for k in 0..guide.times().len() {
+            let [x, y, _] = offsets.place(agent, k);
+            positions[k * agent_count + agent] += DVec2::new(x, y);
+        }
+    }
+    Motion::sampled(guide.times().to_vec(), agent_count, positions, guide.heights().map(<[f64]>::to_vec))
+}

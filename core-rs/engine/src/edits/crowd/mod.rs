@@ -1,0 +1,81 @@
+//! A crowd along a guide: the guide says where everybody is to be, social forces how they get there (paper D, sections 3.3 and 3.5;
+//! paper A, section 4.3).
+//!
+//! Agents aim at where their guide is a short time ahead, so the plan stays and the forces are local. The last stretch leads back onto
+//! the guide, so that everybody arrives where and when it does. In space, forces are in plan and heights are the guide's.
+
+mod ending;
+mod guide;
+mod job;
+#[cfg(test)]
+mod tests;
+
+use eigenform_apart::Outline;
+use eigenform_force::{Constants, Feedback};
+
+use super::deviation::Deviation;
+use crate::motion::Motion;
+
+pub use job::{CrowdJob, CrowdStep};
+
+/// Who is in the crowd, and how it moves. Lists have an entry an agent.
+#[derive(Clone, Debug)]
+pub struct CrowdRules {
+    /// The table; its lengths are in units.
+    pub constants: Constants,
+    /// Which feedback there is.
+    pub feedback: Feedback,
+    /// The unit, meters.
+    pub unit: f64,
+    /// Body radii, meters.
+    pub radius: Vec<f64>,
+    /// Meters a second; infinite for no limit.
+    pub top_speed: Vec<f64>,
+    /// Subgroups from 0, or [`super::NO_GROUP`].
+    pub group: Vec<u32>,
+    /// What stands in the way.
+    pub obstacles: Vec<Outline>,
+    /// Of the fluctuation.
+    pub seed: u32,
+    /// Where agents go.
+    pub aim: Aim,
+    /// How they arrive.
+    pub ending: Ending,
+    /// Whether to wait until all have arrived: it takes as long again or more, and changes nothing else.
+    pub waits: bool,
+}
+
+/// Where agents aim.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aim {
+    /// A short time ahead on the guide.
+    Guide,
+    /// At the guide's end from the start.
+    Target,
+}
+
+/// How a motion ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Ending {
+    /// On the guide: exactly, with its velocity.
+    Exact,
+    /// As [`Self::Exact`], and smoothed throughout as far as nobody comes nearer than this, meters, or than they did.
+    Smoothed(f64),
+    /// Wherever the forces have led.
+    AsItComes,
+}
+
+/// A motion that forces led along its guide.
+pub struct Led {
+    /// Sampled as the guide.
+    pub motion: Motion,
+    /// What was added to the guide.
+    pub deviation: Deviation,
+    /// How far that is over agents and samples: mean and greatest, meters.
+    pub distance: [f64; 2],
+    /// How far agents were from the guide's end when it ended, by forces alone: mean and greatest, meters.
+    pub arrival_error: [f64; 2],
+    /// Seconds from the start until everybody was near the guide's end by forces alone, and stayed; none when they were not, or when
+    /// nobody waited for it.
+    pub arrived_after: Option<f64>,
+}

@@ -1,0 +1,129 @@
+use eigenform_force::{Constants, Feedback, NO_GROUP};
+use glam::DVec2;
+
+use super::{Aim, CrowdJob, CrowdRules, CrowdStep, Ending, Led};
+use crate::edits::Outline;
+use crate::motion::{Motion, closeness, sample_times};
+
+const SECONDS: f64 = 6.0;
+
+/// Straight ways that ease at both ends, at 30 frames a second.
+fn straight(source: &[DVec2], target: &[DVec2]) -> Motion {
+    let times = sample_times(1.0, 1.0 + SECONDS, 30.0);
+    let eased = |time: f64| ((time - 1.0) / SECONDS).powi(2) * (3.0 - 2.0 * (time - 1.0) / SECONDS);
+    let positions = times.iter().flat_map(|time| source.iter().zip(target).map(move |(from, to)| from.lerp(*to, eased(*time)))).collect();
+    Motion::new(times, source.len(), positions)
+}
+
+/// Two rows of eight, a meter apart, that go straight through each other.
+fn crossing() -> Motion {
+    let row = |x: f64| (0..8).map(move |k| DVec2::new(x, f64::from(k))).collect::<Vec<_>>();
+    straight(&[row(0.0), row(4.5)].concat(), &[row(4.5), row(0.0)].concat())
+}
+
+fn rules(agent_count: usize) -> CrowdRules {
+    CrowdRules {
+        constants: Constants::default(),
+        feedback: Feedback { direction: true, speed: true },
+        unit: 1.0,
+        radius: vec![0.25; agent_count],
+        top_speed: vec![f64::INFINITY; agent_count],
+        group: (0..agent_count).map(|agent| u32::from(agent >= agent_count / 2)).collect(),
+        obstacles: Vec::new(),
+        seed: 5,
+        aim: Aim::Guide,
+        ending: Ending::Exact,
+        waits: false,
+    }
+}
+
+fn led(rules: CrowdRules, guide: &Motion) -> Led {
+    let mut job = CrowdJob::new(rules, guide.clone());
+    let mut last = 0.0;
+    loop {
+        match job.step() {
+            CrowdStep::Progress(now) => {
+                assert!((last..=1.0).contains(&now), "progress never falls: {last}, then {now}");
+                last = now;
+            }
+            CrowdStep::Done(led) => return *led,
+        }
+    }
+}
+
+fn farthest(motion: &Motion, other: &Motion, k: usize) -> f64 {
+    motion.sample(k).iter().zip(other.sample(k)).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max)
+}
+
+#[test]
+fn everybody_arrives_exactly_and_with_the_guides_velocity() {
+    let guide = crossing();
+    let last = guide.times().len() - 1;
+    for ending in [Ending::Exact, Ending::Smoothed(0.5)] {
+        let led = led(CrowdRules { ending, ..rules(16) }, &guide);
+        assert_eq!((farthest(&led.motion, &guide, 0), farthest(&led.motion, &guide, last)), (0.0, 0.0), "{ending:?}");
+        assert!(led.distance[1] > 0.05, "they meet, and forces part them");
+        for (end, inward) in [(0.0, 1.0), (SECONDS, -1.0)] {
+            let mut added = vec![DVec2::ZERO; 16];
+            led.deviation.add_to(1.0 + end + 1e-4 * inward, &mut added, None);
+            // Without velocity at the ends what is added grows with the square of the time: by less than 20 m/s² here.
+            assert!(added.iter().all(|added| added.length() < 10.0 * 1e-8), "{ending:?} at {end}");
+        }
+    }
+}
+
+#[test]
+fn forces_keep_agents_farther_apart_than_their_guide_does() {
+    let nearest = |motion: &Motion| closeness(motion, 0.0).nearest().expect("there are many").distance;
+    let guide = crossing();
+    let raw = led(rules(16), &guide);
+    assert!(nearest(&guide) < 0.1 && nearest(&raw.motion) > 0.2, "{} {}", nearest(&guide), nearest(&raw.motion));
+    let smooth = led(CrowdRules { ending: Ending::Smoothed(0.5), ..rules(16) }, &guide);
+    assert!(nearest(&smooth.motion) >= nearest(&raw.motion).min(0.5));
+}
+
+#[test]
+fn the_same_crowd_gives_the_same_motion_and_another_seed_another() {
+    let guide = crossing();
+    let shaken = |seed: u32| {
+        let constants = Constants { fluctuation: 0.5, ..Constants::default() };
+        led(CrowdRules { constants, seed, ..rules(16) }, &guide).motion
+    };
+    assert_eq!(shaken(5), shaken(5));
+    assert_ne!(shaken(5), shaken(6));
+}
+
+#[test]
+fn who_is_alone_stays_on_the_guide() {
+    let guide = straight(&[DVec2::ZERO], &[DVec2::new(10.0, 3.0)]);
+    let alone = led(CrowdRules { group: vec![NO_GROUP], ..rules(1) }, &guide);
+    // Looking half a second ahead cuts the corners of its speed: half of 1.75 m/s² times 0.5 s × 0.5 s, at the most.
+    assert!(alone.distance[1] < 0.5 * 1.75 * 0.25, "{:?}", alone.distance);
+}
+
+#[test]
+fn plain_forces_leave_agents_where_they_are_and_say_how_far_that_is() {
+    let guide = crossing();
+    let plain = CrowdRules { aim: Aim::Target, ending: Ending::AsItComes, waits: true, ..rules(16) };
+    let led = led(plain, &guide);
+    let last = guide.times().len() - 1;
+    assert!((farthest(&led.motion, &guide, last) - led.arrival_error[1]).abs() < 1e-12);
+    assert!(led.arrived_after.is_none_or(|seconds| seconds > 0.5 * SECONDS));
+}
+
+#[test]
+fn a_crowd_goes_around_what_stands_in_its_way() {
+    let guide = straight(&[DVec2::new(0.0, 0.1)], &[DVec2::new(6.0, 0.1)]);
+    let circle = Outline { points: vec![[3.0, 0.0]], radius: 0.8 };
+    let led = led(CrowdRules { group: vec![NO_GROUP], obstacles: vec![circle.clone()], ..rules(1) }, &guide);
+    let clearance = led.motion.positions().iter().map(|p| circle.clearance(p.to_array()).0).fold(f64::INFINITY, f64::min);
+    assert!(clearance > 0.0, "{clearance}");
+}
+
+#[test]
+fn one_frame_between_two_keyframes_is_enough() {
+    let times = vec![0.0, 0.2];
+    let guide = Motion::new(times, 2, vec![DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE]);
+    let led = led(rules(2), &guide);
+    assert_eq!(led.motion, guide);
+}

@@ -1,0 +1,208 @@
+//! Leads a segment's agents along their guide by social forces, once it is known where the guide has them.
+
+use serde::Serialize;
+
+use super::brief::Brief;
+use super::counterpart::Counterpart;
+use crate::edits::{Aim, CrowdJob, CrowdRules, CrowdStep, Deviation, Ending, Feedback, Led, NO_GROUP};
+use crate::measure::Extreme;
+use crate::motion::Motion;
+use crate::scene::Group;
+
+/// What the forces came to in a segment. Flat in the segment's report.
+#[derive(Debug, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Crowded {
+    /// How far agents are from their guide, over agents and samples, meters.
+    pub guide_deviation: Extreme,
+    /// How far they were from the target when the time was over, by forces alone, meters.
+    pub arrival_error: Extreme,
+    /// Seconds until everybody was there by forces alone; none when that was not waited for, or never.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arrived_after: Option<f64>,
+    #[serde(skip)]
+    pub(super) deviation: Deviation,
+}
+
+/// The walk along a guide.
+pub(super) struct Crowding {
+    job: CrowdJob,
+    progress: f64,
+}
+
+impl Crowding {
+    /// The walk; the guide back where nobody walks by forces.
+    pub(super) fn of(brief: &Brief, guide: Motion) -> Result<Self, Motion> {
+        if !brief.has_crowd() || guide.agent_count() == 0 {
+            return Err(guide);
+        }
+        Ok(Self { job: CrowdJob::new(rules(brief, &guide), guide), progress: 0.0 })
+    }
+
+    /// Walks for some milliseconds; the motion and what came of it once it is done.
+    pub(super) fn step(&mut self) -> Option<(Motion, Box<Crowded>)> {
+        match self.job.step() {
+            CrowdStep::Progress(progress) => {
+                self.progress = progress;
+                None
+            }
+            CrowdStep::Done(led) => {
+                let Led { motion, deviation, distance, arrival_error, arrived_after } = *led;
+                let extreme = |[mean, max]: [f64; 2]| Extreme { mean, max };
+                let (guide_deviation, arrival_error) = (extreme(distance), extreme(arrival_error));
+                Some((motion, Box::new(Crowded { guide_deviation, arrival_error, arrived_after, deviation })))
+            }
+        }
+    }
+
+    /// 0–1; never falls.
+    pub(super) fn progress(&self) -> f64 {
+        self.progress
+    }
+}
+
+fn rules(brief: &Brief, guide: &Motion) -> CrowdRules {
+    let told = &brief.own.transition.crowd;
+    let (aim, ending) = match brief.counterpart {
+        None => (Aim::Guide, Ending::Exact),
+        Some(Counterpart::GuidedForce) => (Aim::Guide, Ending::Smoothed(brief.minimum_distance)),
+        Some(Counterpart::PlainForce) => (Aim::Target, Ending::AsItComes),
+    };
+    // Paper A has neither feedback nor subgroups in its forces.
+    let is_crowd = brief.counterpart.is_none();
+    CrowdRules {
+        constants: told.constants(),
+        feedback: Feedback { direction: is_crowd && told.direction_feedback, speed: is_crowd && told.speed_feedback },
+        unit: guide.spacing(),
+        radius: brief.agents.iter().map(|agent| agent.radius).collect(),
+        top_speed: brief.agents.iter().map(|agent| agent.max_speed.unwrap_or(f64::INFINITY)).collect(),
+        group: if is_crowd { innermost_groups(&brief.groups, guide.agent_count()) } else { vec![NO_GROUP; guide.agent_count()] },
+        obstacles: brief.outlines(),
+        seed: brief.seed,
+        aim,
+        ending,
+        waits: brief.waits,
+    }
+}
+
+/// By agent the group whose own member it is, numbered from 0 in the order of the tree.
+fn innermost_groups(groups: &[Group], agent_count: usize) -> Vec<u32> {
+    fn number(groups: &[Group], next: &mut u32, of_agent: &mut [u32]) {
+        for group in groups {
+            for agent in &group.members {
+                of_agent[*agent as usize] = *next;
+            }
+            *next += 1;
+            number(&group.children, next, of_agent);
+        }
+    }
+    let mut of_agent = vec![NO_GROUP; agent_count];
+    number(groups, &mut 0, &mut of_agent);
+    of_agent
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::choice::MethodName;
+    use crate::perform::{Performed, Performer, Step, perform};
+    use crate::scene::{Scene, Segment, read_json};
+
+    /// Two rows of four that change sides in 4 s, each a group, with one slow agent.
+    fn show() -> Scene {
+        let text = r#"{
+            "format": "eigenform", "version": 1, "frameRate": 10, "minimumDistance": 0.4,
+            "agents": [{}, {}, {}, {}, {}, {}, {}, { "maxSpeed": 0.5 }],
+            "groups": [{ "members": [0, 1, 2, 3] }, { "children": [{ "members": [4, 5] }, { "members": [7] }], "members": [6] }],
+            "keyframes": [
+                { "positions": [[0, 0], [0, 1], [0, 2], [0, 3], [6.3, 0], [6.3, 1], [6.3, 2], [6.3, 3]] },
+                { "time": 4, "positions": [[6.3, 0], [6.3, 1], [6.3, 2], [6.3, 3], [0, 0], [0, 1], [0, 2], [0, 3]] }
+            ],
+            "segments": [{ "method": "crowd", "avoidance": true }]
+        }"#;
+        read_json(text).expect("the show is valid")
+    }
+
+    fn compared(scene: &Scene, counterpart: Counterpart) -> Arc<Performed> {
+        let mut performer = Performer::default();
+        let mut job = performer.begin_compared(scene, 0, &[], Some(counterpart), true);
+        loop {
+            if let Step::Done(performed) = job.step(&mut performer).expect("the show can be performed") {
+                return performed;
+            }
+        }
+    }
+
+    #[test]
+    fn a_crowd_is_at_its_keyframes_and_keeps_apart_between() {
+        let scene = show();
+        let performance = perform(&scene).expect("the show can be performed");
+        let performed = &performance.segments()[0];
+        assert_eq!(performed.choice.method, MethodName::Crowd);
+        assert!(performed.avoided.as_ref().is_some_and(|avoided| avoided.unsolved.is_empty()));
+        assert!(performed.crowded.as_ref().is_some_and(|crowded| crowded.guide_deviation.max > 0.05));
+        for keyframe in &scene.main_track().keyframes {
+            let at = performance.positions_at(keyframe.time);
+            // An answer is the guide and what was added to it: a sum of numbers below 10.
+            assert!(at.iter().zip(keyframe.positions.positions()).all(|(found, due)| found.distance(*due) < 1e-12));
+        }
+        performance.for_each_frame(|_, time, places| {
+            let exact = performance.positions_at(time);
+            assert!(places.plan().iter().zip(&exact).all(|(sample, exact)| sample.distance(*exact) < 1e-9), "at {time}");
+        });
+    }
+
+    #[test]
+    fn a_slow_agent_lags_behind_its_guide() {
+        let mut scene = show();
+        let error =
+            |scene: &Scene| perform(scene).expect("it can").segments()[0].crowded.as_ref().map_or(0.0, |crowded| crowded.arrival_error.max);
+        let slow = error(&scene);
+        Arc::make_mut(&mut scene.tracks[0].agents)[7].max_speed = None;
+        // 6.3 m in 4 s at half a meter a second leave 4.3 m; the others are near their slots.
+        assert!(slow > 4.0 && error(&scene) < 1.0, "{slow} {}", error(&scene));
+    }
+
+    #[test]
+    fn counterparts_are_judged_as_the_scene_would_be_and_are_kept_apart_in_the_cache() {
+        let scene = show();
+        let guided = compared(&scene, Counterpart::GuidedForce);
+        let plain = compared(&scene, Counterpart::PlainForce);
+        let last = guided.motion.times().len() - 1;
+        let targets = scene.main_track().keyframes[1].positions.positions();
+        assert!(guided.motion.sample(last).iter().zip(targets).all(|(at, due)| at.distance(*due) < 1e-12));
+        for performed in [&guided, &plain] {
+            let (avoided, clearance) =
+                (performed.avoided.as_ref().expect("it is judged"), performed.measures.clearance.expect("there are many"));
+            assert_eq!(avoided.unsolved.is_empty(), clearance.distance >= 0.4 - 1e-6);
+        }
+        let stranded = plain.motion.sample(last).iter().zip(targets).map(|(at, due)| at.distance(*due)).fold(0.0, f64::max);
+        assert!((stranded - plain.crowded.as_ref().expect("forces led").arrival_error.max).abs() < 1e-9);
+    }
+
+    #[test]
+    fn subgroups_are_the_innermost_groups() {
+        assert_eq!(innermost_groups(&show().groups, 9), [0, 0, 0, 0, 2, 2, 1, 3, NO_GROUP]);
+    }
+
+    #[test]
+    fn a_neighbor_passes_a_crowd_with_its_guides_velocity() {
+        let mut scene = show();
+        let track = &mut scene.tracks[0];
+        let mut third = track.keyframes[0].clone();
+        third.time = 8.0;
+        track.keyframes.push(third);
+        track.segments.push(Segment::default());
+        scene.join = crate::choice::Join::Smooth;
+        let performance = perform(&scene).expect("the show can be performed");
+        let velocity = |from: f64, to: f64| {
+            let (from, to) = (performance.positions_at(4.0 + from), performance.positions_at(4.0 + to));
+            from.iter().zip(&to).map(|(from, to)| (*to - *from) / 1e-5).collect::<Vec<_>>()
+        };
+        // Difference quotients over 1e-5 s of accelerations below 100 m/s².
+        let (before, after) = (velocity(-1e-5, 0.0), velocity(0.0, 1e-5));
+        assert!(before.iter().zip(&after).all(|(before, after)| before.distance(*after) < 2e-3), "{before:?} {after:?}");
+    }
+}
