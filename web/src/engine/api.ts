@@ -125,6 +125,8 @@ export interface SegmentReport {
   readonly deviation?: Extreme;
   /** Meetings that avoidance leaves too near; empty when it is proved that there are none. */
   readonly unsolved?: readonly Approach[];
+  /** Agents that avoidance leaves too near to an obstacle, each at the nearest. */
+  readonly blocked?: readonly ObstacleApproach[];
   /** Who is too near in one of its keyframes already. */
   readonly breaches?: readonly KeyframeBreach[];
   /** What may help where it is not solved, the likeliest first. */

@@ -4,7 +4,7 @@ import { obstacleLabel } from "../../document/obstacle";
 import { agentLabel, keyframeLabel } from "../../document/queries";
 import { mainTrack, type Scene } from "../../document/scene";
 import { formatTime, lengthWithUnit } from "../../document/units";
-import type { Approach, KeyframeBreach, SegmentReport } from "../../engine/api";
+import type { Approach, KeyframeBreach, ObstacleApproach, SegmentReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
 import { useStudio } from "../studio";
 import { type NextStep, nextSteps } from "./next-steps";
@@ -18,6 +18,7 @@ export function ClashNote({ index, report }: { index: number; report: SegmentRep
   const scene = document.scene.value;
   const clashes = clashesOf(report);
   const breaches = report.breaches ?? [];
+  const blocked = blockedOf(report);
   const goTo = (time: number) => {
     playback.pause();
     playback.seek(time);
@@ -31,6 +32,9 @@ export function ClashNote({ index, report }: { index: number; report: SegmentRep
         ))}
         {clashes.slice(0, MOST).map((clash) => (
           <Meeting key={`${clash.agents} ${clash.time}`} scene={scene} clash={clash} onGo={() => goTo(clash.time)} />
+        ))}
+        {blocked.slice(0, MOST).map((at) => (
+          <Blocked key={`${at.agent} ${at.obstacle}`} scene={scene} at={at} onGo={() => goTo(at.time)} />
         ))}
         {clashes.length > MOST && <p>and {clashes.length - MOST} more</p>}
         <NextSteps index={index} report={report} goTo={goTo} />
@@ -85,6 +89,19 @@ function Meeting({ scene, clash, onGo }: { scene: Scene; clash: Approach; onGo()
   );
 }
 
+function Blocked({ scene, at, onGo }: { scene: Scene; at: ObstacleApproach; onGo(): void }) {
+  const near = lengthWithUnit(Math.max(0, at.distance), scene.stage.units);
+  return (
+    <p>
+      Agent {agentLabel(scene, at.agent)} comes within {near} of {obstacleLabel(scene, at.obstacle)} at{" "}
+      {formatTime(at.time)}.{" "}
+      <button type="button" class="link" onClick={onGo}>
+        Go there
+      </button>
+    </p>
+  );
+}
+
 /** Who is too near in a keyframe already: nothing on the way can mend that. */
 function Standing({ scene, segment, breach }: { scene: Scene; segment: number; breach: KeyframeBreach }) {
   const { document } = useStudio();
@@ -110,7 +127,14 @@ function Standing({ scene, segment, breach }: { scene: Scene; segment: number; b
 }
 
 /** The meetings that are too near, worst first; without avoidance the worst alone is known. */
-function clashesOf({ clearance, unsolved, breaches = [] }: SegmentReport): readonly Approach[] {
-  if (unsolved && unsolved.length > 0) return [...unsolved].sort((a, b) => a.distance - b.distance);
+function clashesOf({ clearance, unsolved, blocked = [], breaches = [] }: SegmentReport): readonly Approach[] {
+  if (unsolved && unsolved.length + blocked.length > 0) return [...unsolved].sort((a, b) => a.distance - b.distance);
   return clearance && breaches.length === 0 ? [clearance] : [];
+}
+
+/** Who could not be led around an obstacle, worst first; whoever stands there in a keyframe is named with that. */
+function blockedOf({ blocked = [], breaches = [] }: SegmentReport): readonly ObstacleApproach[] {
+  const stands = ({ agent, obstacle }: ObstacleApproach) =>
+    breaches.some(({ agent: who, other }) => who === agent && "obstacle" in other && other.obstacle === obstacle);
+  return blocked.filter((at) => !stands(at)).sort((a, b) => a.distance - b.distance);
 }

@@ -1,6 +1,7 @@
 import type { Units } from "../../document/scene";
 import { lengthWithUnit } from "../../document/units";
 import type { EngineProblem, Planning, SegmentPlan } from "../../engine/api";
+import { closestOf } from "../closest";
 import { type Status, status } from "../status";
 
 /** What the inspector says of a transition's motion. */
@@ -26,11 +27,11 @@ export function planningView(planning: Planning | undefined, minimum: number, un
     case "failed":
       return { ...quiet, words: "Not planned", problem: planning.problem };
     case "ready": {
-      const clearance = planning.plan.report.clearance?.distance ?? null;
+      const closest = closestOf(planning.plan.report)?.distance ?? null;
       return {
         ...quiet,
-        status: status(clearance, minimum),
-        words: clearance === null ? "" : lengthWithUnit(clearance, units),
+        status: status(closest, minimum),
+        words: closest === null ? "" : lengthWithUnit(Math.max(0, closest), units),
         plan: planning.plan,
       };
     }

@@ -35,16 +35,15 @@ export interface RibbonProps {
 /** One transition: a wedge whose shape and color say how the minimum distance fares, and how it is moved. */
 export function Ribbon({ index, names, place, state, isSelected, viewport }: RibbonProps) {
   const { document, playback } = useStudio();
-  const { status, plan, words, before, progress } = state;
-  const clearance = plan?.report.clearance ?? null;
+  const { status, plan, words, closest, before, progress } = state;
   const inset = Math.min(INSET, place.width / 6);
   const width = place.width - 2 * inset;
   const scale = viewport.scale.value;
   const { units } = document.scene.value.stage;
-  const momentTime = clearance?.time ?? 0;
+  const momentTime = closest?.time ?? 0;
   const momentOf = (time: number) => (scale.origin + time * scale.pixelsPerSecond - place.left - inset) / width;
   const moment = momentOf(momentTime);
-  const distance = clearance && lengthWithUnit(clearance.distance, units);
+  const distance = closest && lengthWithUnit(Math.max(0, closest.distance), units);
   const cut = inset + momentX(moment, width, 3.5);
   const was = before && inset + momentX(momentOf(before.time), width, 3.5);
   const method = plan ? METHOD_WORDS[plan.report.choice.method] : "";

@@ -58,3 +58,10 @@ test("what clashed before avoidance is remembered, and what did not is not", () 
   expect(transitionState({ kind: "ready", plan: guide(1.2) }, 1).before).toBeNull();
   expect(transitionState({ kind: "ready", plan: now }, 1).before).toBeNull();
 });
+
+test("whoever could not be led around an obstacle is what comes nearest", () => {
+  const now = plan(1.3);
+  const blocked = [{ distance: -0.2, time: 0.7, agent: 0, obstacle: 0 }];
+  const state = transitionState({ kind: "ready", plan: { ...now, report: { ...now.report, blocked } } }, 1);
+  expect(state).toMatchObject({ status: "clash", closest: { distance: -0.2, time: 0.7 } });
+});

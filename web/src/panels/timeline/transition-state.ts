@@ -1,5 +1,6 @@
 import type { MethodName } from "../../document/scene";
 import type { Approach, Planning, SegmentPlan } from "../../engine/api";
+import { type Closest, closestOf } from "../closest";
 import { type Status, status } from "../status";
 
 export const METHOD_WORDS: Readonly<Record<MethodName, string>> = {
@@ -18,6 +19,8 @@ export interface TransitionState {
   readonly plan: SegmentPlan | null;
   /** The words beside the number: the method, "Planning, 62 %", "Canceled", "Not planned". */
   readonly words: string;
+  /** What comes nearest in the plan; null where nobody meets anything. */
+  readonly closest: Closest | null;
   /** The nearest meeting of the motion before avoidance, where that was a clash. */
   readonly before: Approach | null;
   /** 0..1 while it is planned, else null. */
@@ -42,11 +45,12 @@ export function transitionState(planning: Planning | undefined, minimumDistance:
 }
 
 function known(plan: SegmentPlan, minimumDistance: number, words: string, progress: number | null): TransitionState {
-  const { clearance, guideClearance } = plan.report;
+  const { guideClearance } = plan.report;
+  const closest = closestOf(plan.report);
   const before = guideClearance && guideClearance.distance < minimumDistance ? guideClearance : null;
-  return { status: status(clearance?.distance ?? null, minimumDistance), plan, words, before, progress };
+  return { status: status(closest?.distance ?? null, minimumDistance), plan, words, closest, before, progress };
 }
 
 function unknown(words: string, progress: number | null): TransitionState {
-  return { status: "none", plan: null, words, before: null, progress };
+  return { status: "none", plan: null, words, closest: null, before: null, progress };
 }
