@@ -2,9 +2,11 @@
 
 use glam::DVec2;
 
+use crate::order::{key_of_two, of_real, sort_by_key};
+
 /// The convex hull, counterclockwise (Andrew's monotone chain).
 pub fn hull(mut points: Vec<DVec2>) -> Vec<DVec2> {
-    points.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    sort_by_key(&mut points, |point| key_of_two(of_real(point.x), of_real(point.y)));
     points.dedup();
     let mut hull: Vec<DVec2> = Vec::new();
     for is_upper in [false, true] {

@@ -4,7 +4,6 @@
 //! lesser nor above the greater of the two, while the agent covers the way along the obstacle's hull, the shorter way around. A factor
 //! of 1 and more keeps to that path, a lesser one to its share between it and the method's. Heights are the method's.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::DVec2;
@@ -12,6 +11,7 @@ use glam::DVec2;
 use super::Transition;
 use super::chain::Chain;
 use crate::obstacle::{Beside, ObstacleShape, Rim};
+use crate::order::{key_of_pair, sort_by_key};
 use crate::spectral::cubic_weights;
 
 /// Three times a secant's slope at both ends is the steepest that never leaves the values between (de Boor and Swartz).
@@ -48,18 +48,44 @@ pub fn held(path: Arc<dyn Transition>, chain: &Chain, obstacles: &[&ObstacleShap
     if courses.is_empty() { path } else { Arc::new(Held { path, courses }) }
 }
 
-fn courses(chain: &Chain, obstacles: &[&ObstacleShape]) -> Vec<Course> {
-    // By agent and obstacle: the factor at both ends.
-    let mut tied: BTreeMap<(u32, u32), [f64; 2]> = BTreeMap::new();
+/// An agent and an obstacle that it is tied to at a keyframe of a segment, or at both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tied {
+    /// Who.
+    pub agent: u32,
+    /// To what, by number.
+    pub obstacle: u32,
+    /// At the source and at the target; 0 where there is no tie.
+    pub factors: [f64; 2],
+}
+
+/// Who is tied to what in the chain's segment; by agent, then by obstacle.
+pub fn tied(chain: &Chain) -> Vec<Tied> {
+    let mut all = Vec::new();
     for (side, end) in [chain.at(), chain.at() + 1].into_iter().enumerate() {
         for tie in chain.ends()[end].adjacency.obstacle_ties() {
-            tied.entry((tie.agent, tie.obstacle)).or_default()[side] = tie.factor;
+            let mut factors = [0.0; 2];
+            factors[side] = tie.factor;
+            all.push(Tied { agent: tie.agent, obstacle: tie.obstacle, factors });
         }
     }
-    let mut rims: BTreeMap<u32, Arc<Rim>> = BTreeMap::new();
+    sort_by_key(&mut all, |tied| key_of_pair((tied.agent, tied.obstacle)));
+    // At most one of each end.
+    all.dedup_by(|second, first| {
+        let is_same = (second.agent, second.obstacle) == (first.agent, first.obstacle);
+        if is_same {
+            first.factors = [first.factors[0] + second.factors[0], first.factors[1] + second.factors[1]];
+        }
+        is_same
+    });
+    all
+}
+
+fn courses(chain: &Chain, obstacles: &[&ObstacleShape]) -> Vec<Course> {
+    let mut rims: Vec<Option<Arc<Rim>>> = vec![None; obstacles.len()];
     let mut courses: Vec<Course> = Vec::new();
-    for ((agent, obstacle), factors) in tied {
-        let rim = rims.entry(obstacle).or_insert_with(|| Arc::new(Rim::of(obstacles[obstacle as usize])));
+    for Tied { agent, obstacle, factors } in tied(chain) {
+        let rim = rims[obstacle as usize].get_or_insert_with(|| Arc::new(Rim::of(obstacles[obstacle as usize])));
         courses.push(Around::of(chain, agent as usize, rim.clone()).course(factors));
     }
     for of_agent in courses.chunk_by_mut(|a, b| a.agent == b.agent) {

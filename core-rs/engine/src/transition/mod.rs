@@ -30,7 +30,7 @@ mod turns;
 use glam::DVec2;
 
 pub use chain::{Chain, End, Way, Ways};
-pub use held::held;
+pub use held::{Tied, held, tied};
 pub use hierarchical::Hierarchical;
 pub use hierarchy::Hierarchy;
 pub(crate) use nodes::nodes_at;
