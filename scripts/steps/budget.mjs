@@ -24,7 +24,7 @@ async function firstLoad() {
   for (const asset of assets) if (/^worker-.*\.js$/.test(asset)) files.add(`assets/${asset}`);
   return {
     scripts: [...files],
-    wasm: assets.filter((asset) => asset.endsWith(".wasm")).map((asset) => `assets/${asset}`),
+    wasm: assets.filter((asset) => /^engine_bg-.*\.wasm$/.test(asset)).map((asset) => `assets/${asset}`),
   };
 }
 

@@ -18,7 +18,7 @@ const isThere = (path) =>
 /** The engine's wasm package for the page. */
 export async function buildEngine(toolchain) {
   const hash = await hashOf([...ENGINE_SOURCES, "scripts/steps/build.mjs"], [toolchain], NOT_ENGINE);
-  const results = () => isThere(join(PACKAGE, "engine_bg.wasm"));
+  const results = () => isThere(join(PACKAGE, "shapes_bg.wasm"));
   const isNew = await once("engine", hash, results, async () => {
     await step("Compiling the engine for the browser (minutes the first time)", () =>
       run("cargo", ["xtask", "wasm", join(root, PACKAGE)], { cwd: join(root, "core-rs") }),

@@ -23,7 +23,19 @@ export async function lintRust() {
   await step("Rust lint, browser door", () =>
     run(
       "cargo",
-      ["clippy", "--quiet", "--package", "eigenform-wasm", "--target", WASM_TARGET, "--", "-D", "warnings"],
+      [
+        "clippy",
+        "--quiet",
+        "--package",
+        "eigenform-wasm",
+        "--package",
+        "eigenform-shapes",
+        "--target",
+        WASM_TARGET,
+        "--",
+        "-D",
+        "warnings",
+      ],
       { cwd },
     ),
   );

@@ -11,7 +11,6 @@ use eigenform::grouping::{self, Way};
 use eigenform::perform::{Counterpart, Performed, Performer, SegmentJob};
 use eigenform::scene::recording::{Recording, read_recording};
 use eigenform::scene::{self, Scene, Source};
-use eigenform::shape::{Picture, Reading, Region, Request, Room, SlotJob};
 use eigenform::spectral::{Eigenbasis, ModeMatch};
 use eigenform::text;
 use glam::DVec2;
@@ -144,19 +143,6 @@ pub fn way(name: &str, amount: f64) -> Way {
 
 pub fn groups(scene: &Scene, keyframe: usize, graph: &Adjacency, agents: &[u32], way: Way) -> String {
     encode(&grouping::propose(&scene.main_track().keyframes[keyframe].positions, graph, agents, way))
-}
-
-pub fn region(width: usize, rgba: &[u8], reading: Reading, room: &[f64]) -> Result<Region, Refusal> {
-    let picture = Picture { width, height: rgba.len() / (4 * width.max(1)), rgba };
-    Ok(Region::from_picture(picture, reading, Room { width: room[0], depth: room[1] })?)
-}
-
-pub fn slots(region: Region, request: Request) -> Result<SlotJob, Refusal> {
-    Ok(SlotJob::new(region, request)?)
-}
-
-pub fn xy(formation: &Formation) -> Vec<f64> {
-    formation.positions().iter().flat_map(|place| place.to_array()).collect()
 }
 
 pub fn assign(source: &Formation, target: &Formation) -> Vec<u32> {

@@ -13,7 +13,6 @@ use eigenform::motion::Motion;
 use eigenform::perform::{Performed, Performer, SegmentJob, Step};
 use eigenform::scene::Scene;
 use eigenform::scene::recording::Recording;
-use eigenform::shape::{self, Reading, Region, Request, SlotJob, Style};
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use desk::{Refusal, encode};
@@ -31,9 +30,6 @@ pub struct Engine {
     at: Option<usize>,
     done: Option<Arc<Performed>>,
     recording: Option<Recording>,
-    region: Option<Region>,
-    slots: Option<SlotJob>,
-    slotted: Vec<f64>,
 }
 
 #[wasm_bindgen]
@@ -203,38 +199,6 @@ impl Engine {
     pub fn propose_groups(&mut self, keyframe: usize, agents: &[u32], way: &str, amount: f64) -> Result<String, Refusal> {
         let graph = self.graph(keyframe)?;
         Ok(desk::groups(at_hand(self.scene.as_ref()), keyframe, &graph, agents, desk::way(way, amount)))
-    }
-
-    /// The shape in a picture, as large as fits: `width` pixels a row, red, green, blue and opacity of each.
-    pub fn read_shape(&mut self, width: usize, rgba: &[u8], threshold: f64, is_inverted: bool, room: &[f64]) -> Result<(), Refusal> {
-        self.region = Some(desk::region(width, rgba, Reading { threshold, is_inverted }, room)?);
-        Ok(())
-    }
-
-    /// Begins places in the shape read last.
-    pub fn begin_slots(&mut self, count: usize, least_distance: f64, is_outline: bool, seed: u32) -> Result<(), Refusal> {
-        let style = if is_outline { Style::Outline } else { Style::Filled };
-        let region = self.region.clone().expect("a shape is read before places in it are sought");
-        self.slots = Some(desk::slots(region, Request { count, least_distance, style, seed })?);
-        Ok(())
-    }
-
-    /// Works on them for a while; answers how far it is, 1 when they are done and can be read.
-    pub fn step_slots(&mut self) -> Result<f64, Refusal> {
-        let job = self.slots.as_mut().expect("places are begun before they are worked on");
-        Ok(match job.step()? {
-            shape::Step::Progress(progress) => progress.min(0.999),
-            shape::Step::Done(slots) => {
-                self.slotted = desk::xy(&slots);
-                self.slots = None;
-                1.0
-            }
-        })
-    }
-
-    /// The places just done: x, y each.
-    pub fn slots(&self) -> Vec<f64> {
-        self.slotted.clone()
     }
 
     /// The slot of each agent, least total squared distance; x, y an agent.

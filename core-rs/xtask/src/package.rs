@@ -5,21 +5,29 @@ use std::process::Command;
 
 use wasm_bindgen_cli_support::Bindgen;
 
+/// What the page loads, and what it calls it: the engine at first, shapes when one is made.
+const PACKAGES: [(&str, &str); 2] = [("eigenform-wasm", "engine"), ("eigenform-shapes", "shapes")];
+
 const TARGET: &str = "wasm32-unknown-unknown";
 
-/// Compiles the engine for the browser and writes its package into `directory`.
+/// Compiles the engine for the browser and writes its packages into `directory`.
 pub fn build(directory: &Path) -> Result<(), String> {
     let status = Command::new(env!("CARGO"))
-        .args(["build", "--profile", "page", "--package", "eigenform-wasm", "--target", TARGET])
+        .args(["build", "--profile", "page", "--target", TARGET])
+        .args(PACKAGES.iter().flat_map(|(package, _)| ["--package", package]))
         .current_dir(workspace())
         .status()
         .map_err(|error| format!("cargo did not start: {error}"))?;
     if !status.success() {
         return Err("the engine does not compile for the browser".to_owned());
     }
+    PACKAGES.iter().try_for_each(|(package, name)| bind(&package.replace('-', "_"), name, directory))
+}
+
+fn bind(file: &str, name: &str, directory: &Path) -> Result<(), String> {
     // Without a default module path the page names the wasm file itself, and the bundler sees the name.
     Bindgen::new()
-        .input_path(target_directory().join(TARGET).join("page/eigenform_wasm.wasm"))
+        .input_path(target_directory().join(TARGET).join(format!("page/{file}.wasm")))
         .web(true)
         .and_then(|bindgen| {
             bindgen
@@ -27,7 +35,7 @@ pub fn build(directory: &Path) -> Result<(), String> {
                 .remove_name_section(true)
                 .remove_producers_section(true)
                 .omit_default_module_path(true)
-                .out_name("engine")
+                .out_name(name)
                 .generate(directory)
         })
         .map_err(|error| format!("wasm-bindgen: {error:#}"))

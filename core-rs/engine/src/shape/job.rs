@@ -7,7 +7,7 @@ use super::packing::pack;
 use super::region::Region;
 use super::spread::Spread;
 use crate::error::Error;
-use crate::formation::{Formation, PairSearch};
+use crate::formation::Formation;
 use crate::scene::limits;
 
 /// The spacing at which rows give as many places as asked is found to this share of it.
@@ -61,12 +61,7 @@ pub struct SlotJob {
 }
 
 enum Work {
-    /// The largest spacing known to give enough places, and the smallest known not to.
-    Searching {
-        enough: Option<f64>,
-        too_few: f64,
-        trials: u32,
-    },
+    Searching(Search),
     Spreading(Spread),
     /// Along the edge there are too many: one fewer at a time, until they keep the distance.
     Thinning {
@@ -76,6 +71,15 @@ enum Work {
     },
 }
 
+/// The search for the spacing at which rows give as many places as asked, meters.
+struct Search {
+    /// The largest known to give enough; 0 while there is none.
+    enough: f64,
+    /// The smallest known to give too few; infinite while there is none.
+    too_few: f64,
+    trials: u32,
+}
+
 impl SlotJob {
     /// Begins; refuses a number of agents that no scene has.
     pub fn new(region: Region, request: Request) -> Result<Self, Error> {
@@ -83,7 +87,7 @@ impl SlotJob {
             let (value, high) = (request.count as f64, limits::AGENTS as f64);
             return Err(Error::OutOfRange { value, low: 1.0, high, place: "agents".to_owned() });
         }
-        let work = Work::Searching { enough: None, too_few: f64::INFINITY, trials: 0 };
+        let work = Work::Searching(Search { enough: 0.0, too_few: f64::INFINITY, trials: 0 });
         Ok(Self { region, request, work })
     }
 
@@ -100,112 +104,97 @@ impl SlotJob {
     ///
     /// After it is done it must not be asked again.
     pub fn step(&mut self) -> Result<Step, Error> {
-        match (self.request.style, &mut self.work) {
-            _ if self.request.count == 1 => Ok(Step::Done(Formation::new(vec![self.lone()]))),
-            (Style::Filled, Work::Searching { .. }) => self.search(),
-            (Style::Outline, Work::Searching { .. }) => Ok(self.line()),
-            (_, Work::Thinning { .. }) => self.thin(),
-            (_, Work::Spreading(spread)) => {
-                let done = spread.step(&self.region);
+        let Self { region, request, work } = self;
+        let mut chance = Chance(u64::from(request.seed));
+        match work {
+            Work::Searching(_) if request.style == Style::Outline => Ok(self.line(chance.next())),
+            // One agent has nobody to keep away from.
+            Work::Searching(_) if request.count == 1 => Ok(Step::Done(Formation::new(vec![region.heart()]))),
+            Work::Searching(search) => {
+                if let Some(progress) = search.step(region, *request)? {
+                    return Ok(Step::Progress(progress));
+                }
+                let spacing = search.enough;
+                let places = scattered(region, *request, pack(region, spacing, usize::MAX), spacing, &mut chance);
+                *work = Work::Spreading(Spread::new(places, spacing));
+                Ok(Step::Progress(SEARCHING[1]))
+            }
+            Work::Spreading(spread) => {
+                let done = spread.step(region);
                 if done < 1.0 {
                     return Ok(Step::Progress(SEARCHING[1] + (1.0 - SEARCHING[1]) * done));
                 }
-                let spread = std::mem::replace(spread, Spread::new(Vec::new(), 0.0));
-                Ok(Step::Done(Formation::new(spread.settle(&self.region, self.request.least_distance))))
+                Ok(Step::Done(Formation::new(spread.settle(region, request.least_distance))))
+            }
+            Work::Thinning { outline, most, count } => {
+                // One agent keeps any distance.
+                let places = outline.places(*count, chance.next());
+                if *count <= 1 || Spread::new(places, 0.0).keeps(region, request.least_distance) {
+                    return Err(too_crowded(*request, (*count).max(1)));
+                }
+                *count -= 1;
+                Ok(Step::Progress(1.0 - *count as f64 / *most as f64))
             }
         }
     }
 
-    /// One agent has nobody to keep away from.
-    fn lone(&self) -> DVec2 {
-        match self.request.style {
-            Style::Filled => self.region.heart(),
-            Style::Outline => Outline::new(&self.region).places(1, self.phase())[0],
-        }
-    }
-
-    /// Tries one more spacing; goes on to spreading when it is known well enough.
-    fn search(&mut self) -> Result<Step, Error> {
-        let Request { count, least_distance, .. } = self.request;
-        let Work::Searching { enough, too_few, trials } = &mut self.work else { unreachable!("only asked while searching") };
-        let spacing = match *enough {
-            // Each place of a triangular lattice takes √3/2 of its squared spacing.
-            None if too_few.is_infinite() => (self.region.area() / (0.75_f64.sqrt() * count as f64)).sqrt().max(least_distance),
-            None => (*too_few / 1.5).max(least_distance),
-            Some(enough) if too_few.is_infinite() => enough * 1.25,
-            Some(enough) if *too_few > enough * (1.0 + PRECISION) => (enough * *too_few).sqrt(),
-            Some(enough) => {
-                let places = self.scattered(pack(&self.region, enough, usize::MAX), enough);
-                self.work = Work::Spreading(Spread::new(places, enough));
-                return Ok(Step::Progress(SEARCHING[1]));
-            }
-        };
-        if pack(&self.region, spacing, count).len() == count {
-            *enough = Some(spacing);
-        } else if spacing <= least_distance {
-            let largest = pack(&self.region, spacing, count).len();
-            return Err(Error::TooCrowded { count, distance: least_distance, largest });
-        } else if spacing < FINEST * self.region.pixel() {
-            return Err(Error::TooCrowded { count, distance: spacing, largest: pack(&self.region, spacing, count).len() });
-        } else {
-            *too_few = spacing;
-        }
-        *trials += 1;
-        Ok(Step::Progress((SEARCHING[0] * f64::from(*trials)).min(SEARCHING[1])))
-    }
-
-    /// Exactly as many as asked: which of those that are over go, chance says. Then a little unrest, as far as the least distance allows.
-    fn scattered(&self, mut places: Vec<DVec2>, spacing: f64) -> Vec<DVec2> {
-        let mut chance = Chance(u64::from(self.request.seed));
-        while places.len() > self.request.count {
-            places.remove((chance.next() * places.len() as f64) as usize);
-        }
-        let reach = UNREST * spacing;
-        // Along an edge a move can come out half as long again.
-        if spacing - 3.0 * reach < self.request.least_distance {
-            return places;
-        }
-        let mut aside = || (2.0 * chance.next() - 1.0) * reach * 0.5_f64.sqrt();
-        places.into_iter().map(|place| self.region.moved(place, DVec2::new(aside(), aside()))).collect()
-    }
-
-    /// Along the edge.
-    fn line(&mut self) -> Step {
+    /// Along the edge, from `phase` of a step on.
+    fn line(&mut self, phase: f64) -> Step {
         let Request { count, least_distance, .. } = self.request;
         let outline = Outline::new(&self.region);
-        let places = outline.places(count, self.phase());
-        if keeps(&places, least_distance) {
+        let places = outline.places(count, phase);
+        if count == 1 || Spread::new(places.clone(), 0.0).keeps(&self.region, least_distance) {
             return Step::Done(Formation::new(places));
         }
         let most = outline.most(least_distance).min(count - 1);
         self.work = Work::Thinning { outline, most, count: most };
         Step::Progress(0.0)
     }
+}
 
-    /// How many along the edge would be no refusal.
-    fn thin(&mut self) -> Result<Step, Error> {
-        let Request { count: asked, least_distance: distance, .. } = self.request;
-        let phase = self.phase();
-        let Work::Thinning { outline, most, count } = &mut self.work else { unreachable!("only asked while thinning") };
-        // One agent keeps any distance.
-        if *count <= 1 || keeps(&outline.places(*count, phase), distance) {
-            return Err(Error::TooCrowded { count: asked, distance, largest: (*count).max(1) });
+impl Search {
+    /// Tries one more spacing; nothing when it is known well enough.
+    fn step(&mut self, region: &Region, request: Request) -> Result<Option<f64>, Error> {
+        let Request { count, least_distance, .. } = request;
+        let spacing = match (self.enough > 0.0, self.too_few.is_finite()) {
+            // Each place of a triangular lattice takes √3/2 of its squared spacing.
+            (false, false) => (region.area() / (0.75_f64.sqrt() * count as f64)).sqrt().max(least_distance),
+            (false, true) => (self.too_few / 1.5).max(least_distance),
+            (true, false) => self.enough * 1.25,
+            (true, true) if self.too_few > self.enough * (1.0 + PRECISION) => (self.enough * self.too_few).sqrt(),
+            (true, true) => return Ok(None),
+        };
+        let found = pack(region, spacing, count).len();
+        if found == count {
+            self.enough = spacing;
+        } else if spacing <= least_distance.max(FINEST * region.pixel()) {
+            return Err(too_crowded(request, found));
+        } else {
+            self.too_few = spacing;
         }
-        *count -= 1;
-        Ok(Step::Progress(1.0 - *count as f64 / *most as f64))
-    }
-
-    /// Where on the edge the first one stands, in steps.
-    fn phase(&self) -> f64 {
-        Chance(u64::from(self.request.seed)).next()
+        self.trials += 1;
+        Ok(Some((SEARCHING[0] * f64::from(self.trials)).min(SEARCHING[1])))
     }
 }
 
-/// Whether nobody is nearer than `distance` to another, meters.
-fn keeps(places: &[DVec2], distance: f64) -> bool {
-    let mut is_kept = true;
-    PairSearch::default().for_each_within(places, distance, |_, _, squared| is_kept &= squared >= distance * distance);
-    is_kept
+/// Exactly as many as asked: which of those that are over go, chance says. Then a little unrest, as far as the least distance allows.
+fn scattered(region: &Region, request: Request, mut places: Vec<DVec2>, spacing: f64, chance: &mut Chance) -> Vec<DVec2> {
+    while places.len() > request.count {
+        places.remove((chance.next() * places.len() as f64) as usize);
+    }
+    let reach = UNREST * spacing;
+    // Along an edge a move can come out half as long again.
+    if spacing - 3.0 * reach >= request.least_distance {
+        for place in &mut places {
+            let aside = DVec2::new(chance.next(), chance.next()) * 2.0 - DVec2::ONE;
+            *place = region.moved(*place, aside * (reach * 0.5_f64.sqrt()));
+        }
+    }
+    places
+}
+
+fn too_crowded(Request { count, least_distance: distance, .. }: Request, largest: usize) -> Error {
+    Error::TooCrowded { count, distance, largest }
 }
 
 /// Numbers by chance, the same for the same seed (`SplitMix64`).

@@ -2,11 +2,8 @@
 
 use glam::DVec2;
 
+use super::picture::INSIDE;
 use super::region::Region;
-use crate::order;
-
-/// Coverage from which a pixel is inside.
-const INSIDE: f64 = 128.0;
 
 /// The level at which the edge lies between two pixels.
 const EDGE: f64 = 127.5;
@@ -50,36 +47,36 @@ impl Outline {
 
     /// Exactly `count` places: each line has its share by length, evenly along it from `phase` of a step.
     pub(super) fn places(&self, count: usize, phase: f64) -> Vec<DVec2> {
-        let whole: f64 = self.loops.iter().map(|each| each.length).sum();
-        let shares: Vec<f64> = self.loops.iter().map(|each| each.length / whole * count as f64).collect();
-        let mut counts: Vec<usize> = shares.iter().map(|share| *share as usize).collect();
-        // What rounding leaves over goes to those that lost most by it.
-        let missing = count.saturating_sub(counts.iter().sum());
-        for line in order::by_key(shares.iter().map(|share| u128::from(order::of_real(-share.fract())))).into_iter().take(missing) {
-            counts[line as usize] += 1;
+        let whole: f64 = self.loops.iter().map(|line| line.length).sum();
+        let (mut places, mut passed) = (Vec::with_capacity(count), 0.0);
+        for line in &self.loops {
+            passed += line.length;
+            // Up to here, rounded: what one line has too much the next has too little.
+            let due = ((passed / whole * count as f64).round() as usize).min(count);
+            line.add_places(due - places.len(), phase, &mut places);
         }
-        self.loops.iter().zip(counts).flat_map(|(line, count)| line.places(count, phase)).collect()
+        places
     }
 }
 
 impl Loop {
-    fn places(&self, count: usize, phase: f64) -> Vec<DVec2> {
+    fn add_places(&self, count: usize, phase: f64, places: &mut Vec<DVec2>) {
         let step = self.length / count as f64;
-        let (mut places, mut passed) = (Vec::with_capacity(count), 0.0);
+        let (mut added, mut passed) = (0, 0.0);
         for (from, to) in self.corners.iter().zip(after(&self.corners)) {
             let length = from.distance(*to);
-            while places.len() < count {
-                let due = (places.len() as f64 + phase) * step - passed;
+            while added < count {
+                let due = (added as f64 + phase) * step - passed;
                 if due > length {
                     break;
                 }
-                places.push(from.lerp(*to, if length > 0.0 { due / length } else { 0.0 }));
+                places.push(*from + (*to - *from) * (due / length.max(f64::MIN_POSITIVE)));
+                added += 1;
             }
             passed += length;
         }
         // Rounding can leave the last one just past the end.
-        places.resize(count, self.corners[0]);
-        places
+        places.extend((added..count).map(|_| self.corners[0]));
     }
 }
 
@@ -101,7 +98,7 @@ fn crossings(region: &Region) -> Vec<u32> {
             let pixel = row * columns + column;
             let edges = [2 * pixel, 2 * (pixel + 1) + 1, 2 * (pixel + columns), 2 * pixel + 1];
             let turns = |edge: usize, from: bool| {
-                let inside = |at: usize| corners[at % 4] >= INSIDE;
+                let inside = |at: usize| corners[at % 4] >= f64::from(INSIDE);
                 inside(edge) == from && inside(edge + 1) != from
             };
             let is_joined = corners.iter().sum::<f64>() >= 4.0 * EDGE;

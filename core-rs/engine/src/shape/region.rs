@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::picture::{Mask, Picture, Reading};
+use super::picture::{INSIDE, Picture, Reading};
 use crate::error::Error;
 
 /// Coverage at the edge: between pixels it changes evenly, so the edge is a line and not steps.
@@ -39,24 +39,22 @@ impl Region {
     ///
     /// Refuses a picture that is too small, too large or of one color, and a size that is none.
     pub fn from_picture(picture: Picture<'_>, reading: Reading, room: Room) -> Result<Self, Error> {
-        let mask = Mask::new(picture, reading)?;
-        let inside = |at: &usize| mask.coverage[*at] >= 128;
-        let (mut left, mut right, mut top, mut bottom) = (mask.width, 0, mask.height, 0);
-        for at in (0..mask.coverage.len()).filter(inside) {
-            let (column, row) = (at % mask.width, at / mask.width);
-            (left, right, top, bottom) = (left.min(column), right.max(column), top.min(row), bottom.max(row));
+        let drawn = picture.coverage(reading)?;
+        let (mut left, mut right, mut top, mut bottom) = (picture.width, 0, picture.height, 0);
+        for (at, &covered) in drawn.iter().enumerate() {
+            if covered >= INSIDE {
+                let (column, row) = (at % picture.width, at / picture.width);
+                (left, right, top, bottom) = (left.min(column), right.max(column), top.min(row), bottom.max(row));
+            }
         }
         let (across, down) = (right + 1 - left, bottom + 1 - top);
         let pixel = (room.width / across as f64).min(room.depth / down as f64);
         // A pixel around the inside holds the other side of its edge; one around that is empty.
         let (columns, rows) = (across + 4, down + 4);
         let mut coverage = vec![0; columns * rows];
-        for (row, line) in coverage.chunks_exact_mut(columns).enumerate().skip(1).take(rows - 2) {
-            for (column, covered) in line.iter_mut().enumerate().skip(1).take(columns - 2) {
-                let (x, y) = ((left + column).wrapping_sub(2), (top + row).wrapping_sub(2));
-                if x < mask.width && y < mask.height {
-                    *covered = mask.coverage[y * mask.width + x];
-                }
+        for y in top.saturating_sub(1)..(bottom + 2).min(picture.height) {
+            for x in left.saturating_sub(1)..(right + 2).min(picture.width) {
+                coverage[(y + 2 - top) * columns + x + 2 - left] = drawn[y * picture.width + x];
             }
         }
         Ok(Self { columns, rows, coverage, pixel })
@@ -64,7 +62,7 @@ impl Region {
 
     /// How large it is, square meters.
     pub fn area(&self) -> f64 {
-        let inside = self.coverage.iter().filter(|&&covered| covered >= 128).count();
+        let inside = self.coverage.iter().filter(|&&covered| covered >= INSIDE).count();
         inside as f64 * self.pixel * self.pixel
     }
 
@@ -98,13 +96,16 @@ impl Region {
         self.corner().y.abs() * self.pixel
     }
 
-    /// The middle of the inside pixel that is nearest to the middle of the whole.
+    /// The inside pixel that is nearest to the middle.
     pub(super) fn heart(&self) -> DVec2 {
-        let inside = || (0..self.coverage.len()).filter(|&at| self.coverage[at] >= 128);
-        let place = |at: usize| self.place((at % self.columns) as f64, (at / self.columns) as f64);
-        let middle = inside().map(place).sum::<DVec2>() / inside().count() as f64;
-        let nearest = inside().map(place).min_by(|p, q| p.distance_squared(middle).total_cmp(&q.distance_squared(middle)));
-        nearest.unwrap_or_default()
+        let mut nearest = DVec2::INFINITY;
+        for (at, &covered) in self.coverage.iter().enumerate() {
+            let place = self.place((at % self.columns) as f64, (at / self.columns) as f64);
+            if covered >= INSIDE && place.length_squared() < nearest.length_squared() {
+                nearest = place;
+            }
+        }
+        nearest
     }
 
     /// Adds where the level line at `y` runs inside: from and to, ascending.

@@ -52,15 +52,19 @@ impl Spread {
     }
 
     /// The places, none nearer to another than `least`: where the shape is too full to spread them so, those they came from.
-    pub(super) fn settle(mut self, region: &Region, least: f64) -> Vec<DVec2> {
+    pub(super) fn settle(&mut self, region: &Region, least: f64) -> Vec<DVec2> {
         for _ in 0..=ROUNDS {
             let before = self.places.clone();
-            let nearest = self.push(region, least * (1.0 + SLACK));
-            if nearest.iter().all(|&squared| squared >= least * least) {
+            if self.keeps(region, least) {
                 return before;
             }
         }
-        self.packed
+        std::mem::take(&mut self.packed)
+    }
+
+    /// Whether nobody is nearer than `least` to another; who is goes apart.
+    pub(super) fn keeps(&mut self, region: &Region, least: f64) -> bool {
+        self.push(region, least * (1.0 + SLACK)).iter().all(|&squared| squared >= least * least)
     }
 
     /// Moves all who are nearer than `reach` apart; the squared distance from each to its nearest before, if that is within reach.
