@@ -3,6 +3,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, writeFileSync } from "node:fs";
 import { airshow } from "./examples/airshow.mjs";
 import { band } from "./examples/band.mjs";
+import { bird, fighters, runningMan } from "./examples/crowds.mjs";
 import { fieldShow } from "./examples/field-show.mjs";
 import { gridToRing, threeBlocks } from "./examples/figures.mjs";
 import { flower } from "./examples/flower.mjs";
@@ -44,6 +45,9 @@ const EXAMPLES = {
   clusters: { make: clusters, cover: 2 },
   "clusters-apart": { make: clustersApart, cover: 0 },
   "offside-trap": { make: offsideTrap, cover: 2 },
+  bird: { make: bird, cover: 2 },
+  "running-man": { make: runningMan, cover: 0 },
+  fighters: { make: fighters, cover: 1 },
   airshow: { make: airshow, cover: 0 },
 };
 

@@ -22,7 +22,7 @@ const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
 export function attachHands({ stageHost, toolbox, view, actions, clipboard, intake }: HandsParts): void {
   attachTools(stageHost, toolbox, view, isMac);
   attachKeyboard(window, { actions, isMac, holdSpace: toolbox.holdSpace, releaseSpace: toolbox.releaseSpace });
-  attachClipboard(document, clipboard);
+  attachClipboard(document, clipboard, (file) => void intake.openFile(file));
   attachDrop(
     document.documentElement,
     (file) => void intake.openFile(file),

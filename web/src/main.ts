@@ -87,7 +87,14 @@ const toolbox = createToolbox({
   warn: (title, text) => messages.say({ tone: "problem", title, text }),
 });
 
-const intake = createIntake({ engine, document: store, messages, aside, onOpened: showFromStart });
+const intake = createIntake({
+  engine,
+  document: store,
+  messages,
+  aside,
+  onOpened: showFromStart,
+  onPicture: (file) => dialogs.show({ kind: "shape", from: "picture", file }),
+});
 
 function showFromStart(): void {
   playback.pause();
@@ -145,6 +152,8 @@ const actionParts: ActionParts = {
     help: () => dialogs.show({ kind: "help" }),
     palette: () => dialogs.show({ kind: "palette" }),
     compare: () => dialogs.show({ kind: "compare", segments: null }),
+    picture: () => dialogs.show({ kind: "shape", from: "picture", file: null }),
+    text: () => dialogs.show({ kind: "shape", from: "text", file: null }),
   },
 };
 const handiwork = laterHandiwork(actionParts);

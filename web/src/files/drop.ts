@@ -24,7 +24,7 @@ export function attachDrop(page: HTMLElement, openFile: (file: File) => void, op
 export function pickFile(openFile: (file: File) => void): void {
   const input = document.createElement("input");
   input.type = "file";
-  input.accept = ".json,.csv,.txt,application/json,text/csv,text/plain";
+  input.accept = ".json,.csv,.txt,application/json,text/csv,text/plain,.png,.jpg,.jpeg,.webp,.svg";
   input.addEventListener("change", () => {
     const file = input.files?.[0];
     if (file) openFile(file);

@@ -25,6 +25,8 @@ export interface IntakeParts {
   readonly aside: Signal<Aside | null>;
   /** The scene was replaced: show all of it from its start. */
   onOpened(): void;
+  /** A picture is no scene: a formation can be made from it. */
+  onPicture(file: File): void;
 }
 
 /** The problem as a person reads it, what and where: a sentence, of which the engine says the words only. */
@@ -44,10 +46,14 @@ export function problemFrom(error: unknown): EngineProblem {
   return { code: "unexpected", what: error instanceof Error ? error.message : String(error), where: "" };
 }
 
+function isPicture({ type, name }: File): boolean {
+  return type.startsWith("image/") || /\.(?:png|jpe?g|webp|svg)$/i.test(name);
+}
+
 /** How the engine refuses a motion where a scene is wanted. */
 const IS_RECORDING = "recording";
 
-export function createIntake({ engine, document, messages, aside, onOpened }: IntakeParts): Intake {
+export function createIntake({ engine, document, messages, aside, onOpened, onPicture }: IntakeParts): Intake {
   function refuse(name: string, problem: EngineProblem): void {
     messages.say({
       tone: "problem",
@@ -98,6 +104,10 @@ export function createIntake({ engine, document, messages, aside, onOpened }: In
     read,
     openText,
     async openFile(file) {
+      if (isPicture(file)) {
+        onPicture(file);
+        return true;
+      }
       if (file.size > FILE_LIMIT) {
         refuse(file.name, { code: "file-too-large", what: "A file may have at most 64 MiB.", where: "" });
         return false;

@@ -8,7 +8,7 @@ export interface AgentClipboard {
 }
 
 /** The browser's own copy and paste, which need no permission. Answers how to stop. */
-export function attachClipboard(page: Document, agents: AgentClipboard): () => void {
+export function attachClipboard(page: Document, agents: AgentClipboard, openFile: (file: File) => void): () => void {
   function onCopy(event: ClipboardEvent): void {
     const text = agents.copied();
     const isReading = !(page.getSelection()?.isCollapsed ?? true);
@@ -17,10 +17,13 @@ export function attachClipboard(page: Document, agents: AgentClipboard): () => v
     event.preventDefault();
   }
   function onPaste(event: ClipboardEvent): void {
+    if (isTextField(event.target) || event.defaultPrevented) return;
     const text = event.clipboardData?.getData("text/plain") ?? "";
-    if (isTextField(event.target) || text === "" || event.defaultPrevented) return;
+    const file = event.clipboardData?.files[0];
+    if (text === "" && !file) return;
     event.preventDefault();
-    void agents.paste(text);
+    if (text === "" && file) openFile(file);
+    else void agents.paste(text);
   }
   page.addEventListener("copy", onCopy);
   page.addEventListener("paste", onPaste);

@@ -62,6 +62,7 @@ beforeEach(() => {
     overlay: signal({ kind: "none" }),
     cursor: signal("default"),
     placeInMiddle: () => {},
+    placeInView: () => {},
   };
   const nothing = () => {};
   const parts = {
@@ -90,6 +91,8 @@ beforeEach(() => {
       examples: nothing,
       help: nothing,
       palette: nothing,
+      picture: nothing,
+      text: nothing,
       compare: () => {
         isComparing = true;
       },

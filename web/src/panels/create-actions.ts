@@ -29,6 +29,8 @@ export function createActions(parts: ActionParts, handiwork: LaterHandiwork): Ac
       isEnabled: computed(() => mainTrack(document.scene.value).segments.length > 0),
       run: files.compare,
     },
+    "shape-from-picture": { run: files.picture },
+    "shape-from-text": { run: files.text },
     new: { run: files.new },
     open: { run: files.open },
     save: { run: files.save },

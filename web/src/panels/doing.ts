@@ -37,7 +37,10 @@ export interface ActionParts {
   /** Gives up the gesture under way; whether there was one. */
   cancelGesture(): boolean;
   readonly files: Readonly<
-    Record<"new" | "open" | "save" | "export" | "share" | "examples" | "help" | "palette" | "compare", () => void>
+    Record<
+      "new" | "open" | "save" | "export" | "share" | "examples" | "help" | "palette" | "compare" | "picture" | "text",
+      () => void
+    >
   >;
 }
 

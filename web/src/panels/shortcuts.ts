@@ -16,6 +16,8 @@ export const SHORTCUTS = {
   "tool-group": { section: "Tools", label: "Group", keys: ["G"] },
   "tool-obstacle": { section: "Tools", label: "Obstacle", keys: ["O"] },
   "tool-pan": { section: "Tools", label: "Pan", keys: ["H"] },
+  "shape-from-picture": { section: "Tools", label: "Shape from a picture" },
+  "shape-from-text": { section: "Tools", label: "Shape from text" },
   "place-in-middle": { section: "Tools", label: "Place it in the middle, or close the polygon", keys: ["Enter"] },
   cancel: { section: "Tools", label: "Cancel or deselect", keys: ["Escape"] },
 

@@ -80,6 +80,7 @@ export function createToolbox(parts: ToolParts, tools?: typeof createWorkbench):
     send: (event) => whenReady((ready) => ready.send(event)),
     cancel: () => bench.peek()?.cancel() ?? false,
     placeInMiddle: () => whenReady((ready) => ready.placeInMiddle()),
+    placeInView: (places, label) => whenReady((ready) => ready.placeInView(places, label)),
     holdSpace() {
       isSpaceHeld.value = true;
       hasPanned = false;

@@ -72,6 +72,17 @@ export function settleInMiddle(editor: Editor, shape: ShapeName): Promise<void> 
   return settlePlaces(editor, places, `Place ${shape}`);
 }
 
+/** Puts places that are given about the middle of what is seen of the stage there; one undo entry. */
+export function settleInView(editor: Editor, places: readonly Point[], label: string): Promise<void> {
+  const { size, camera } = editor;
+  const [x, y] = toStage(camera, { x: size.width / 2, y: size.height / 2 });
+  return settlePlaces(
+    editor,
+    places.map((place): Point => [place[0] + x, place[1] + y]),
+    label,
+  );
+}
+
 function addPlaces(editor: Editor, slots: readonly Point[], label: string): void {
   const scene = editor.document.scene.peek();
   const room = mostAgents(scene) - mainTrack(scene).agents.length;

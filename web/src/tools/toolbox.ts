@@ -43,4 +43,6 @@ export interface Toolbox {
   readonly cursor: ReadonlySignal<string>;
   /** Puts what the tool in hand makes into the middle of what is seen, or ends what it is making: for hands without a pointer. */
   placeInMiddle(): void;
+  /** Puts agents on places that are given about the middle of what is seen. */
+  placeInView(places: readonly Point[], label: string): void;
 }

@@ -1,4 +1,5 @@
 import { computed, effect, type ReadonlySignal, signal } from "@preact/signals";
+import type { Point } from "../document/formation";
 import { outside } from "../document/pick";
 import { groupLabel, keyframeLabel } from "../document/queries";
 import { mainTrack } from "../document/scene";
@@ -8,7 +9,7 @@ import { drawTool } from "./draw";
 import { groupTool } from "./group";
 import { obstacleTool } from "./obstacle";
 import { panTool } from "./pan";
-import { settleInMiddle } from "./place";
+import { settleInMiddle, settleInView } from "./place";
 import { selectTool, unitAt } from "./select";
 import { shapeTool } from "./shape";
 import { tieTool } from "./tie";
@@ -23,6 +24,7 @@ export interface Workbench {
   /** Gives up the gesture under way, or steps out to the group around what is selected; whether there was either. */
   cancel(): boolean;
   placeInMiddle(): void;
+  placeInView(places: readonly Point[], label: string): void;
 }
 
 export type Settings = Pick<Toolbox, "active" | "shape" | "spacing" | "tieScope">;
@@ -98,6 +100,10 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
       if (tool !== "draw" && tool !== "shape") return;
       settleShow(parts);
       void settleInMiddle(editor, tool === "draw" ? "line" : shape.peek());
+    },
+    placeInView(places, label) {
+      settleShow(parts);
+      void settleInView(editor, places, label);
     },
   };
 }

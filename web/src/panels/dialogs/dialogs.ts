@@ -28,9 +28,17 @@ export interface Comparison {
   readonly segments: readonly [left: number, right: number] | null;
 }
 
+/** A formation from a picture, text or a path; the picture, when it came with the wish. */
+export interface ShapeOrigin {
+  readonly kind: "shape";
+  readonly from: "picture" | "text";
+  readonly file: File | null;
+}
+
 export type DialogRequest =
   | { readonly kind: "share" | "examples" | "help" | "palette" | "export" }
   | Comparison
+  | ShapeOrigin
   | Question
   | ProblemDetails;
 

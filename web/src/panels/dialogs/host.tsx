@@ -20,6 +20,7 @@ const DIALOGS: { readonly [K in Kind]: ComponentType<DialogProps<OfKind<K>>> } =
   palette: lazily(() => import("./palette").then((part) => part.PaletteDialog)),
   export: lazily(() => import("./export").then((part) => part.ExportDialog)),
   compare: lazily(() => import("../compare/compare").then((part) => part.CompareDialog)),
+  shape: lazily(() => import("../shape-dialog/shape-dialog").then((part) => part.ShapeDialog)),
   question: lazily(() => import("./question").then((part) => part.QuestionDialog)),
   problem: lazily(() => import("./question").then((part) => part.ProblemDialog)),
 };

@@ -1,7 +1,7 @@
 import type { Scene } from "../../document/scene";
 
 /** Where the gallery lists an example. */
-export type ExampleSection = "Shows" | "The paper's figures" | "Three dimensions";
+export type ExampleSection = "Shows" | "The paper's figures" | "Shapes of a crowd" | "Three dimensions";
 
 /** What an example is best looked at with, beside being played. */
 export type ExampleView =

@@ -20,9 +20,29 @@ const FIRST: { readonly [by in Spacing["by"]]: Spacing } = {
 export function MakingOptions({ tool }: { tool: "draw" | "shape" }) {
   return (
     <fieldset class="floating tool-options" data-tool={tool} aria-label={tool === "draw" ? "Drawing" : "Shapes"}>
-      {tool === "shape" && <ShapeChoice />}
+      {tool === "shape" && (
+        <>
+          <ShapeChoice />
+          <ShapeOrigins />
+        </>
+      )}
       <AgentSpacing />
     </fieldset>
+  );
+}
+
+/** Shapes that are no geometry. */
+function ShapeOrigins() {
+  const { actions } = useStudio();
+  return (
+    <div class="shape-origins">
+      <button type="button" class="button" onClick={() => actions.get("shape-from-picture").run()}>
+        Picture…
+      </button>
+      <button type="button" class="button" onClick={() => actions.get("shape-from-text").run()}>
+        Text…
+      </button>
+    </div>
   );
 }
 

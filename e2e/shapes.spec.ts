@@ -1,0 +1,55 @@
+import { expectOpenToAll } from "./fixtures/axe";
+import { expect, type Studio, test } from "./fixtures/studio";
+
+const svg = (inside: string) => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 90 60">${inside}</svg>`;
+
+/** Two discs beside each other: nobody stands in the 12 m between them. */
+const TWO = svg('<g fill="gold"><circle cx="20" cy="30" r="18"/><circle cx="70" cy="30" r="18"/></g>');
+
+async function place(studio: Studio): Promise<void> {
+  await studio.dialog.getByRole("button", { name: /^Place \d+ agents$/ }).click();
+  await expect(studio.dialog).toHaveCount(0);
+}
+
+test("text and a dropped picture become formations of exactly the agents there are", async ({ studio }) => {
+  await studio.openEmpty();
+  await studio.tool("Shape").click();
+  await studio.button("Text…").click();
+  await studio.dialog.getByRole("textbox", { name: "Text", exact: true }).fill("GO");
+  await studio.dialog.getByRole("spinbutton", { name: "Agents" }).fill("70");
+  await expect(studio.dialog.getByRole("img", { name: "70 places" })).toBeVisible();
+  await expectOpenToAll(studio, "shape");
+  await place(studio);
+  await expect(studio.tab("Agents")).toContainText("70");
+
+  await studio.button("Add keyframe").click();
+  await expect(studio.keyframes).toHaveCount(2);
+  const says = studio.dialog.getByRole("status");
+  await studio.drop("script.svg", svg("<script>document.title = 'run'</script>"));
+  await expect(says).toHaveText("script.svg has a script in it. Only shapes are drawn.");
+  await studio.drop("blank.svg", svg('<path d="M 0 0 H 9" stroke="none" fill="none"/>'));
+  await expect(says).toHaveText("There is no shape in this picture: all of it is transparent.");
+  await studio.drop("broken.png", "no picture at all");
+  await expect(says).toHaveText("broken.png cannot be read; PNG, JPEG, WebP and SVG can.");
+  await studio.drop("two.svg", TWO);
+  await expect(studio.dialog.getByRole("img", { name: "70 places" })).toBeVisible();
+  await expect(studio.dialog.getByRole("spinbutton", { name: "Agents" })).toBeDisabled();
+  await studio.dialog.getByRole("spinbutton", { name: "Longer side" }).fill("1");
+  await studio.page.keyboard.press("Enter");
+  await expect(says).toHaveText(/^70 agents do not fit .* apart, \d+ do; ask for fewer, a larger shape/);
+  await studio.dialog.getByRole("spinbutton", { name: "Longer side" }).fill("60");
+  await studio.page.keyboard.press("Enter");
+  await expect(studio.dialog.getByRole("img", { name: "70 places" })).toBeVisible();
+  await place(studio);
+
+  const { keyframes, minimumDistance = 0 } = await studio.sceneFile();
+  const places = keyframes[1]?.positions ?? [];
+  const xs = places.map(([x]) => x).sort((a, b) => a - b);
+  const gap = Math.max(...xs.slice(1).map((x, i) => x - (xs[i] ?? x)));
+  // Of 86 units of the drawing 14 lie between the discs.
+  expect(gap).toBeGreaterThan((60 * 13) / 86);
+  expect(places).toHaveLength(70);
+  for (const [i, [x, y]] of places.entries()) {
+    for (const [u, v] of places.slice(i + 1)) expect(Math.hypot(u - x, v - y)).toBeGreaterThanOrEqual(minimumDistance);
+  }
+});

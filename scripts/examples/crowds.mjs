@@ -1,0 +1,118 @@
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { root } from "../steps/run.mjs";
+import { Show } from "./show.mjs";
+import { runner } from "./silhouettes.mjs";
+
+/** Least squared ways keep straight movers apart by what they stand apart over √2: a little more than the scene's distance. */
+const APART = 0.85;
+const STRAIGHT = { kind: "transition", method: "linear" };
+
+/** The character for "bird" in four hands, from a picture scratched into bone to the strokes of today; 400 agents. */
+export function bird() {
+  const drawn = (strokes) => placesIn(brushed(strokes, 6.5), 400, 42);
+  return crowd("Bird in four hands", 400)
+    .keyframe({ name: "Bone", time: 0, hold: 1 }, { all: drawn(BONE) })
+    .keyframe({ name: "Bronze", time: 7, hold: 1 }, { all: drawn(BRONZE) })
+    .keyframe({ name: "Brush", time: 14, hold: 1 }, { all: drawn(BRUSH) })
+    .keyframe({ name: "Today", time: 21, hold: 1 }, { all: drawn(TODAY) })
+    .toScene([STRAIGHT, STRAIGHT, STRAIGHT]);
+}
+
+/** Somebody runs across the field and back; 600 agents. */
+export function runningMan() {
+  const outlines = runner().map((outline) => `M ${outline.map(([x, y]) => `${x} ${-y}`).join(" L ")} Z`);
+  const figure = placesIn(`<path d="${outlines.join(" ")}"/>`, 600, 40);
+  return crowd("Running man", 600)
+    .keyframe({ name: "Round", time: 0, hold: 1 }, { all: placesIn('<circle cx="50" cy="50" r="25"/>', 600, 30) })
+    .keyframe({ name: "There", time: 8, hold: 1 }, { all: figure })
+    .keyframe({ name: "And back", time: 16, hold: 1 }, { all: figure.map(([x, y]) => [-x, y]) })
+    .toScene([STRAIGHT, STRAIGHT]);
+}
+
+/** The formations of fighters before a city gate: awl, goose, hook and round; 300 agents. */
+export function fighters() {
+  const goose = brushed(["M 8 84 L 50 18 L 92 84"], 13);
+  const hook = brushed(["M 14 20 L 14 62 C 14 84 36 84 36 64 M 14 30 L 86 30 M 86 20 L 86 62 C 86 84 64 84 64 64"], 10);
+  return crowd("Awl, goose, hook and round", 300)
+    .keyframe({ name: "Awl", time: 0, hold: 1 }, { all: placesIn('<path d="M 50 10 L 82 90 L 18 90 Z"/>', 300, 24) })
+    .keyframe({ name: "Goose", time: 6, hold: 1 }, { all: placesIn(goose, 300, 44) })
+    .keyframe({ name: "Hook", time: 12, hold: 1 }, { all: placesIn(hook, 300, 44) })
+    .keyframe(
+      { name: "Round", time: 18, hold: 1 },
+      { all: placesIn('<circle cx="50" cy="50" r="32" fill="none" stroke="black" stroke-width="16"/>', 300, 36) },
+    )
+    .toScene([STRAIGHT, STRAIGHT, STRAIGHT]);
+}
+
+function crowd(title, count) {
+  const sections = [{ name: "all", count, isLoose: true }];
+  return new Show({ title, stage: { width: 70, depth: 60 }, minimumDistance: 0.5, grid: 0.01, sections });
+}
+
+/** Strokes of a brush of one width in a square of 100. */
+function brushed(strokes, width) {
+  const ends = 'stroke-linecap="round" stroke-linejoin="round"';
+  return `<path d="${strokes.join(" ")}" fill="none" stroke="black" stroke-width="${width}" ${ends}/>`;
+}
+
+/** Places in a drawing `width` meters wide, by the engine's command line. */
+function placesIn(drawing, count, width) {
+  const folder = mkdtempSync(join(tmpdir(), "eigenform-"));
+  const file = join(folder, "shape.svg");
+  try {
+    writeFileSync(file, `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-50 -50 200 200">${drawing}</svg>`);
+    const asked = ["shape", file, "--agents", count, "--width", width, "--minimum-distance", APART].map(String);
+    const words = ["run", "-q", "-p", "eigenform-cli", "--", ...asked];
+    const scene = JSON.parse(execFileSync("cargo", words, { cwd: `${root}/core-rs`, encoding: "utf8" }));
+    return scene.keyframes[0].positions;
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** A bird seen from the side, as one scratches it: beak, body, wing, tail, claws. */
+const BONE = [
+  "M 34 14 C 46 8 56 16 53 30 C 66 36 80 52 92 78 L 74 70 C 62 78 42 74 36 58 C 31 46 34 36 31 28 C 27 22 28 17 34 14 Z",
+  "M 29 20 L 10 26 L 31 31",
+  "M 50 44 C 60 48 68 56 72 66",
+  "M 46 74 L 42 92 L 28 92 M 42 92 L 54 94",
+  "M 60 76 L 62 92",
+];
+
+/** The same cast in bronze: fewer lines, and the feathers sweep down. */
+const BRONZE = [
+  "M 40 10 C 24 10 20 28 34 34 C 48 40 60 30 54 18 C 51 12 46 10 40 10 Z",
+  "M 26 18 L 8 20",
+  "M 34 34 C 28 50 32 62 42 70",
+  "M 54 32 C 70 40 84 58 92 84",
+  "M 48 42 C 58 50 66 62 72 80",
+  "M 42 50 C 48 58 54 68 56 80",
+  "M 42 70 L 36 92 L 22 92 M 36 92 L 50 94",
+];
+
+/** Eleven strokes of a brush. */
+const BRUSH = [
+  "M 50 4 L 42 15",
+  "M 28 16 L 28 68",
+  "M 28 16 L 70 16 L 70 42",
+  "M 28 29 L 70 29",
+  "M 28 42 L 70 42",
+  "M 28 55 L 84 55",
+  "M 28 68 L 88 68 C 88 84 86 94 80 97 L 75 95",
+  "M 15 80 L 9 94",
+  "M 30 81 L 31 93",
+  "M 44 80 L 48 91",
+  "M 58 79 L 63 88",
+];
+
+/** Five strokes. */
+const TODAY = [
+  "M 50 4 L 42 18",
+  "M 24 19 L 72 19 C 72 32 71 42 65 46 L 60 45",
+  "M 39 29 L 46 39",
+  "M 24 19 L 24 57 L 82 57 C 82 78 80 90 72 95 L 60 91",
+  "M 10 75 L 64 75",
+];
