@@ -39,7 +39,7 @@ pub struct Avoidance {
     pub seed: u32,
     /// What stands in the way.
     pub obstacles: Vec<Outline>,
-    /// Who must not come nearer to which of them than they are, farther than everybody keeps.
+    /// Who must not come nearer to which of them than they are, farther than everybody keeps; by agent, then by obstacle.
     pub holds: Vec<Hold>,
 }
 

@@ -48,8 +48,8 @@ impl Avoidance {
         let mut blocked = Vec::new();
         for agent in 0..motion.agent_count() as u32 {
             for (obstacle, (outline, round)) in (0..).zip(self.obstacles.iter().zip(&rounds)) {
-                let hold = self.holds.iter().find(|hold| (hold.agent, hold.obstacle) == (agent, obstacle));
-                let least = hold.map_or(self.minimum_distance, |hold| hold.distance) - slack;
+                let hold = self.holds.binary_search_by_key(&(agent, obstacle), |hold| (hold.agent, hold.obstacle));
+                let least = hold.map_or(self.minimum_distance, |place| self.holds[place].distance) - slack;
                 let nearest = nearest_within(motion, (agent, obstacle), (outline, round), least);
                 blocked.extend((nearest.distance < least).then_some(nearest));
             }
