@@ -25,7 +25,7 @@ pub struct Engine {
     scene: Option<Scene>,
     rest: String,
     performer: Performer,
-    jobs: BTreeMap<usize, SegmentJob>,
+    jobs: Vec<(usize, SegmentJob)>,
     /// The segment worked on last.
     at: Option<usize>,
     done: Option<Arc<Performed>>,
@@ -91,13 +91,13 @@ impl Engine {
     pub fn step(&mut self, segment: usize, held: Option<String>, counterpart: Option<String>) -> Result<f64, Refusal> {
         let scene = at_hand(self.scene.as_ref());
         self.at = Some(segment);
-        let mut job = match self.jobs.remove(&segment) {
-            Some(job) => job,
+        let mut job = match self.jobs.iter().position(|(index, _)| *index == segment) {
+            Some(at) => self.jobs.swap_remove(at).1,
             None => desk::begin(&mut self.performer, scene, segment, held.as_deref(), counterpart.as_deref()),
         };
         match job.step(&mut self.performer)? {
             Step::Progress(progress) => {
-                self.jobs.insert(segment, job);
+                self.jobs.push((segment, job));
                 Ok(progress.min(0.999))
             }
             Step::Done(performed) => {
@@ -214,8 +214,8 @@ impl Engine {
 
     /// Of the segment worked on last: of its job, or of what the job came to.
     fn motion(&self) -> Option<&Motion> {
-        match self.at.and_then(|segment| self.jobs.get(&segment)) {
-            Some(job) => job.motion(),
+        match self.jobs.iter().find(|(segment, _)| self.at == Some(*segment)) {
+            Some((_, job)) => job.motion(),
             None => self.done.as_ref().map(|done| &done.motion),
         }
     }
