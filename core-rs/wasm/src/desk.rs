@@ -82,11 +82,6 @@ pub fn positions(recording: &Recording) -> Vec<f32> {
     places.flat_map(|(frame, agent)| recording.position(frame, agent).unwrap_or(DVec2::NAN).to_array()).map(|x| x as f32).collect()
 }
 
-pub fn recording_scene(recording: &Recording, frames: &[usize]) -> Result<String, Refusal> {
-    let scene::Read { scene, notes } = recording.scene(frames)?;
-    Ok(encode(&json!({ "scene": scene::document::write(&scene), "notes": notes })))
-}
-
 pub fn keyframes(scene: &Scene) -> String {
     let written = scene::write_csv(scene);
     encode(&json!({ "text": written.text, "notes": written.notes }))

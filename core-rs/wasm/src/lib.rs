@@ -4,7 +4,6 @@
 
 mod desk;
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eigenform::adjacency::Adjacency;
@@ -21,7 +20,7 @@ use desk::{Refusal, encode};
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Engine {
-    formations: BTreeMap<u32, Arc<Formation>>,
+    formations: Vec<(u32, Arc<Formation>)>,
     scene: Option<Scene>,
     rest: String,
     performer: Performer,
@@ -59,19 +58,15 @@ impl Engine {
         desk::positions(self.recording())
     }
 
-    /// A scene whose keyframes are these frames of the recording opened last. Answers JSON `{scene, notes}`.
-    pub fn recording_scene(&self, frames: &[usize]) -> Result<String, Refusal> {
-        desk::recording_scene(self.recording(), frames)
-    }
-
     /// Formation number `id`: x, y an agent and, in space, their heights; meters.
     pub fn put_formation(&mut self, id: u32, xy: &[f64], heights: Option<Vec<f64>>) {
-        self.formations.insert(id, Arc::new(desk::formation(xy, heights)));
+        self.drop_formation(id);
+        self.formations.push((id, Arc::new(desk::formation(xy, heights))));
     }
 
     /// Forgets a formation.
     pub fn drop_formation(&mut self, id: u32) {
-        self.formations.remove(&id);
+        self.formations.retain(|(own, _)| *own != id);
     }
 
     /// The scene at hand: its text without positions (absent: the text before), and its keyframes' formations.
@@ -79,7 +74,8 @@ impl Engine {
         if let Some(rest) = rest {
             self.rest = rest;
         }
-        let formations = formations.iter().map(|id| self.formations.get(id).cloned().unwrap_or_default()).collect();
+        let of = |id: &u32| self.formations.iter().find(|(own, _)| own == id).map(|(_, formation)| formation.clone());
+        let formations = formations.iter().map(|id| of(id).unwrap_or_default()).collect();
         self.scene = Some(self.performer.adopt(desk::scene(&self.rest, formations)?));
         self.stop();
         Ok(())
@@ -88,6 +84,7 @@ impl Engine {
     /// Works on a segment for a while, whatever else is under work; answers how far it is, 1 when it is done and all of it can be read.
     /// `held`: JSON list, by segment, of what to use although it says auto, or null. `counterpart`: the name of what moves it in place of
     /// what the scene says.
+    #[expect(clippy::needless_pass_by_value, reason = "wasm-bindgen lends no texts that may be absent")]
     pub fn step(&mut self, segment: usize, held: Option<String>, counterpart: Option<String>) -> Result<f64, Refusal> {
         let scene = at_hand(self.scene.as_ref());
         self.at = Some(segment);

@@ -1,9 +1,8 @@
 //! One way to write what means the same: applied to every scene that is read, before it is checked.
 
-use std::collections::BTreeSet;
-
 use super::Group;
 use crate::adjacency::AdjacencySpec;
+use crate::order::sort_by_key;
 
 /// Ties and cuts name the lower agent first; the order of the lists stays.
 pub(super) fn normalize_adjacency(spec: &mut AdjacencySpec) {
@@ -22,15 +21,18 @@ pub(super) fn normalize_groups(groups: &mut [Group]) {
     }
 }
 
-/// The group's set.
-fn leave_to_children(group: &mut Group) -> BTreeSet<u32> {
-    let mut set = BTreeSet::new();
-    for child in &mut group.children {
-        set.append(&mut leave_to_children(child));
-    }
-    group.members.retain(|agent| !set.contains(agent));
+/// The group's set, ascending.
+fn leave_to_children(group: &mut Group) -> Vec<u32> {
+    let mut set: Vec<u32> = group.children.iter_mut().flat_map(leave_to_children).collect();
+    ascend(&mut set);
+    group.members.retain(|agent| set.binary_search(agent).is_err());
     set.extend(&group.members);
+    ascend(&mut set);
     set
+}
+
+fn ascend(agents: &mut [u32]) {
+    sort_by_key(agents, |agent| u128::from(*agent));
 }
 
 fn order(a: &mut u32, b: &mut u32) {
