@@ -36,6 +36,9 @@ impl Shapes {
     }
 
     /// Begins places in the shape read last.
+    ///
+    /// # Panics
+    /// When none was read: a bug of the page.
     pub fn begin(&mut self, count: usize, least_distance: f64, is_outline: bool, seed: u32) -> Result<(), JsValue> {
         let style = if is_outline { Style::Outline } else { Style::Filled };
         let region = self.region.take().expect("a shape is read before places in it are sought");
@@ -44,12 +47,15 @@ impl Shapes {
     }
 
     /// Works on them for a while; answers how far it is, 1 when they are done and can be read.
+    ///
+    /// # Panics
+    /// When none were begun: a bug of the page.
     pub fn step(&mut self) -> Result<f64, JsValue> {
         let job = self.job.as_mut().expect("places are begun before they are worked on");
         match job.step().map_err(|error| refusal(&error))? {
             Step::Progress(progress) => Ok(progress.min(0.999)),
             Step::Done(slots) => {
-                self.slots = slots.positions().iter().flat_map(|place| place.to_array()).collect();
+                self.slots = slots.positions().iter().flat_map(|place| [place.x, place.y]).collect();
                 self.job = None;
                 Ok(1.0)
             }
