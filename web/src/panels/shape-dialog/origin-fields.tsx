@@ -23,7 +23,7 @@ export function OriginFields({ origin, onChange }: { origin: Origin; onChange(or
           <TextField
             label="Font"
             value={origin.font}
-            placeholder="Any font on this machine"
+            placeholder="Any installed font"
             limit={100}
             onInput={(font) => onChange({ ...origin, font })}
           />
