@@ -42,7 +42,8 @@ fn bad_input_is_two_and_says_where() {
     desk.put("other.json", "{\"format\": \"else\", \"version\": 1, \"keyframes\": []}");
     desk.put("newer.json", &SHOW.replace("\"version\": 1", "\"version\": 2"));
     desk.put("unknown.json", &SHOW.replace("\"frameRate\"", "\"frameRatio\""));
-    desk.put("crowding.json", &SHOW.replace("\"linear\"", "\"crowd\""));
+    desk.put("drawn.json", &SHOW.replace("\"linear\"", "\"linear\", \"path\": [[0, 0]]"));
+    desk.put("heavy.json", &SHOW.replace("\"linear\"", "\"crowd\", \"crowd\": { \"mass\": 80 }"));
     desk.put("empty.csv", "");
     desk.put("cut.csv", "keyframe,time,agent,group,x,y\n0,0,a,,1\n");
     desk.put("crowd.txt", "# framerate: 10\n1 0 0 0\n1 1 1 1\n");
@@ -51,7 +52,8 @@ fn bad_input_is_two_and_says_where() {
         (&["check", "other.json"], "not-a-scene: "),
         (&["check", "newer.json"], "newer-version: "),
         (&["check", "unknown.json"], "unknown-field: "),
-        (&["motion", "crowding.json"], "unsupported: "),
+        (&["motion", "drawn.json"], "unsupported: "),
+        (&["motion", "heavy.json"], "unknown-field: "),
         (&["check", "empty.csv"], "empty: "),
         (&["check", "cut.csv"], "cut-row: "),
         (&["motion", "crowd.txt"], "recording: "),

@@ -99,8 +99,7 @@ pub fn begin(performer: &mut Performer, scene: &Scene, segment: usize, held: Opt
 }
 
 pub fn movement(performed: &Performed) -> String {
-    let (measures, curves) = performed.movement();
-    encode(&json!({ "measures": measures, "curves": curves }))
+    encode(&performed.movement())
 }
 
 pub fn curves(performed: &Performed) -> Vec<f32> {

@@ -139,7 +139,7 @@ impl Engine {
         encode(&self.done().report())
     }
 
-    /// How the movement of the segment just done looks as a whole, JSON `{measures, curves}`: found anew at every call.
+    /// How the movement of the segment just done looks as a whole, JSON `[measures, curves]`: found anew at every call.
     pub fn segment_movement(&self) -> String {
         desk::movement(self.done())
     }

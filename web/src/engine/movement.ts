@@ -29,5 +29,6 @@ export interface Movement {
 
 export async function askMovement(solo: Solo, scene: Scene, segment: number): Promise<Movement> {
   const text = await solo.ask("movement", (link) => ({ scene: link.ledger.message(scene), segment }));
-  return JSON.parse(text) as Movement;
+  const [measures, curves] = JSON.parse(text) as [Movement["measures"], Movement["curves"]];
+  return { measures, curves };
 }

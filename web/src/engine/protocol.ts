@@ -53,7 +53,7 @@ export interface Calls {
     /** Rows of likeness and pairings; eigenvalues at each of the steps, none for 0. */
     answer: { readonly match: Float32Array; readonly eigenvalues: Float64Array };
   };
-  /** Answers JSON of a `Movement`. */
+  /** Answers JSON of measures and curves. */
   movement: { ask: { readonly scene: SceneMessage; readonly segment: number }; answer: string };
   /** Answers JSON of the groups. */
   proposeGroups: { ask: GroupingRequest; answer: string };

@@ -28,9 +28,9 @@ function quantity(max: number, step: number, unit = "", min = 0): Quantity {
 
 /** Lengths are in spacings of the formations, so that a crowd moves alike at any scale. */
 const CONSTANTS: readonly ConstantRow[] = [
-  { name: "strength", label: "Repulsion", note: "A, of agents and obstacles", quantity: quantity(20, 0.5) },
+  { name: "strength", label: "Repulsion", note: "A, keeps apart", quantity: quantity(20, 0.5) },
   { name: "reach", label: "Reach", note: "B, in spacings", quantity: quantity(2, 0.05, "", 0.05) },
-  { name: "groupStrength", label: "Groups", note: "A′, draw in and keep off", quantity: quantity(5, 0.1) },
+  { name: "groupStrength", label: "Groups", note: "A′, draw together", quantity: quantity(5, 0.1) },
   { name: "groupReach", label: "Group reach", note: "B′, in spacings", quantity: quantity(10, 0.5, "", 0.5) },
   { name: "reactionTime", label: "Reaction", note: "τ, to a new velocity", quantity: quantity(3, 0.05, "s", 0.05) },
   { name: "lookAhead", label: "Looks ahead", note: "on the guide", quantity: quantity(3, 0.05, "s", 0.05) },
