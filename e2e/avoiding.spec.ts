@@ -96,6 +96,43 @@ test("what is not solved says so, and each step that may help is one undo away",
   });
 });
 
+test("those who are stuck spread out on the stage, and it stays only when it is accepted", async ({ studio }) => {
+  const [west, south] = [block(3, 3, 1, [-6, 0]), block(3, 3, 1, [0, -6])];
+  const across = [...block(3, 3, 1, [6, 0]), ...block(3, 3, 1, [0, 6])];
+  await studio.openFirst();
+  const segment = { method: "linear", avoidance: true };
+  await studio.drop("crossing.json", show("Crossing", 0.8, [[...west, ...south], across], segment));
+  await expect(studio.title).toHaveValue("Crossing");
+  await studio.planned();
+  await expect(studio.transitions.first()).toHaveAccessibleName(/clash/);
+  await studio.transitions.first().click();
+  const spread = studio.inspector.getByRole("button", { name: "Let them spread out" });
+  const shown = studio.inspector.getByRole("group", { name: "Spread out" });
+
+  await test.step("it plays with its numbers beside those before, and goes without a trace", async () => {
+    await spread.click();
+    await expect(shown.getByRole("row", { name: /^Nearest 0\.\d+ m 0\.8\d m/ })).toBeVisible();
+    await expect(shown.getByRole("row", { name: /^Farthest aside/ })).toBeVisible();
+    await expect(studio.keyframes).not.toHaveCount(2);
+    await expect.poll(() => studio.time()).toBeGreaterThan(0.5);
+    await shown.getByRole("button", { name: "Discard" }).click();
+    await expect(studio.keyframes).toHaveCount(2);
+    await expect(studio.transitions.first()).toHaveAccessibleName(/clash/);
+  });
+
+  await test.step("accepted it is one step, and everybody keeps apart", async () => {
+    await spread.click();
+    await shown.getByRole("button", { name: /^Accept/ }).click();
+    await studio.planned();
+    await expect(studio.keyframes).not.toHaveCount(2);
+    for (const transition of await studio.transitions.all()) {
+      await expect(transition).toHaveAccessibleName(/holds|tight/);
+    }
+    await studio.button("Undo").click();
+    await expect(studio.keyframes).toHaveCount(2);
+  });
+});
+
 test("a keyframe in which two stand too near says who, and nobody is moved", async ({ studio, page }) => {
   const near: readonly Place[] = [
     [0, 0],

@@ -18,6 +18,9 @@ pub struct Rules {
     pub step_cap: f64,
     /// Sweeps after which it gives up.
     pub sweep_limit: usize,
+    /// Slower than this across a knot, of the distance, two stand still to one another: they are pushed straight apart, for there is no
+    /// side to pass on.
+    pub stillness: f64,
     /// Decides the way out of one and the same place.
     pub seed: u64,
     /// What stands still.
@@ -63,9 +66,6 @@ const LIST_SWEEPS: usize = 12;
 
 /// What a list must reach beyond the distance wanted, of the distance: both of a pair may move.
 const LIST_REACH: f64 = 0.4;
-
-/// Slower than this across a knot, of the distance, two stand still to one another.
-const STILL: f64 = 1e-4;
 
 /// Pushes paths apart around a guide.
 ///
@@ -264,7 +264,7 @@ impl Solver {
     fn direction(&mut self, index: usize, r: [f64; 3], distance: f64, way: [f64; 3], wanted: f64) -> [f64; 3] {
         let straight = || [r[0] / distance, r[1] / distance, r[2] / distance];
         let speed = (way[0] * way[0] + way[1] * way[1]).sqrt();
-        if speed <= STILL * self.rules.distance {
+        if speed <= self.rules.stillness * self.rules.distance {
             return if distance > 0.0 { straight() } else { any_direction(self.contacts[index].key.hash(self.rules.seed)) };
         }
         let right = [way[1] / speed, -way[0] / speed];
@@ -351,7 +351,7 @@ mod tests {
     use super::*;
 
     fn rules() -> Rules {
-        Rules { distance: 0.5, margins: [0.03, 0.012], step_cap: 0.3, sweep_limit: 120, seed: 1, outlines: Vec::new() }
+        Rules { distance: 0.5, margins: [0.03, 0.012], step_cap: 0.3, sweep_limit: 120, stillness: 1e-4, seed: 1, outlines: Vec::new() }
     }
 
     /// Straight ways, evenly walked.

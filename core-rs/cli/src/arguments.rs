@@ -45,6 +45,8 @@ pub enum Verb {
     Measure(Measure),
     /// Each transition several ways, with the numbers to judge them
     Compare(Compare),
+    /// Keyframes that let those who are stuck spread out, where avoidance alone does not keep them apart
+    Spread(Spread),
     /// Eigenvalues and ties of one keyframe
     Modes(Modes),
     /// Who takes which place of another keyframe at the least cost
@@ -180,6 +182,26 @@ pub struct Compare {
     /// Print JSON; without it a table
     #[arg(long)]
     pub json: bool,
+}
+
+/// `spread`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Prints the scene with keyframes in every transition whose agents avoidance leaves too near, where such keyframes are
+found: everybody keeps the minimum distance there then. What they cost is said on stderr. Motions that go farther aside
+than 2 m and three minimum distances, or are more than 1.5 times as fast, are left out without --wild.
+
+Example:
+  eigenform spread show.eigenform.json > apart.eigenform.json")]
+pub struct Spread {
+    #[command(flatten)]
+    pub source: Source,
+    /// Only this transition, from 0
+    #[arg(long, value_name = "K")]
+    pub segment: Option<usize>,
+    /// Also what goes far from the transition as it was
+    #[arg(long)]
+    pub wild: bool,
 }
 
 /// `modes`.

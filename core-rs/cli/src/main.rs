@@ -45,6 +45,7 @@ fn run(verb: &Verb) -> Result<Vec<String>, Failure> {
         Verb::Motion(motion) => verbs::motion::run(motion),
         Verb::Measure(measure) => verbs::measure::run(measure),
         Verb::Compare(compare) => verbs::compare::run(compare),
+        Verb::Spread(spread) => verbs::spread::run(spread),
         Verb::Modes(modes) => verbs::modes::run(modes),
         Verb::Assign(assign) => verbs::assign::run(assign),
         Verb::Shape(shape) => verbs::shape::run(shape),

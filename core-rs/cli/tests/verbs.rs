@@ -382,3 +382,36 @@ fn ways_are_compared_by_their_names_and_those_that_no_scene_has_too() {
         ["keyframe", "method", "linear", "social-force"].map(Some)
     );
 }
+
+#[test]
+fn spread_gives_those_who_are_stuck_room_and_leaves_all_else() {
+    let desk = Desk::new();
+    let outcome = desk.run(&["spread", "show.json"]);
+    assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
+    assert_eq!(parsed(&outcome.stdout)["keyframes"].as_array().map(Vec::len), Some(2));
+    assert_eq!(desk.run(&["spread", "show.json", "--segment", "1"]).code, 2);
+    let block = |x: f64, y: f64| (0..9).map(move |k| [x + f64::from(k % 3), y + f64::from(k / 3)]);
+    let keyframes = json!([
+        { "positions": block(-6.0, 0.0).chain(block(0.0, -6.0)).collect::<Vec<_>>() },
+        { "time": 6, "positions": block(6.0, 0.0).chain(block(0.0, 6.0)).collect::<Vec<_>>() },
+    ]);
+    let scene = json!({
+        "format": "eigenform", "version": 1, "minimumDistance": 0.8, "join": "smooth", "keyframes": keyframes,
+        "segments": [{ "method": "linear", "avoidance": true }],
+    });
+    desk.put("stuck.json", &scene.to_string());
+    let unsolved = |name: &str| {
+        let report = parsed(&desk.answer(&["measure", name, "--json"]));
+        report["segments"]
+            .as_array()
+            .expect("segments")
+            .iter()
+            .map(|segment| segment["unsolved"].as_array().map_or(0, Vec::len))
+            .sum::<usize>()
+    };
+    assert!(unsolved("stuck.json") > 0);
+    let outcome = desk.run(&["spread", "stuck.json"]);
+    assert!(outcome.stderr.starts_with("note: transition 0: ") && outcome.stderr.contains("times as fast"), "{}", outcome.stderr);
+    desk.put("apart.json", &outcome.stdout);
+    assert_eq!(unsolved("apart.json"), 0);
+}

@@ -208,3 +208,14 @@ fn an_obstacle_on_a_keyframe_is_reported_and_nobody_is_moved_there() {
     assert!((breach.distance + 0.8).abs() < 1e-12, "{breach:?}");
     assert_eq!(result.motion.sample(last(guide)), guide.sample(last(guide)));
 }
+
+#[test]
+fn who_stands_in_a_notch_is_led_out_of_it_first() {
+    let (_, outline) = obstacles().into_iter().nth(1).expect("the L");
+    // Inside its hull, with half a meter and more to either arm; beyond the L, and back.
+    let [notch, west, south] = [[0.7, 1.2], [-6.0, 1.0], [0.5, -5.0]].map(DVec2::from_array);
+    for (from, to) in [(notch, west), (west, notch), (notch, south), (south, notch)] {
+        let result = edited(Avoidance { obstacles: vec![outline.clone()], ..avoidance() }, &straight(&[from], &[to]));
+        assert!(result.report.is_solved(), "{from} to {to}: {:?}", result.report.blocked);
+    }
+}

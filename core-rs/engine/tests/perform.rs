@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use eigenform::choice::{Alignment, Choice, Join, MethodName, Order};
 use eigenform::formation::Formation;
-use eigenform::perform::{Performed, Performer, Step, perform};
-use eigenform::scene::{Keyframe, Scene, Segment, TransitionSpec, read_json};
+use eigenform::motion::clashes;
+use eigenform::perform::{Performed, Performer, Salvage, SalvageStep, Step, perform};
+use eigenform::scene::link::{self, Precision};
+use eigenform::scene::{Keyframe, Scene, Segment, TransitionSpec, read_json, write_json};
 use glam::DVec2;
 
 /// Three keyframes of nine agents: a block, a wedge that is held, and the block turned.
@@ -203,4 +205,181 @@ fn numbers(value: &serde_json::Value) -> Vec<f64> {
         serde_json::Value::Array(values) => values.iter().flat_map(numbers).collect(),
         number => vec![number.as_f64().expect("a number")],
     }
+}
+
+/// Blocks of nine a meter apart.
+fn block([x, y]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
+    (0..9).map(move |k| [x + f64::from(k % 3), y + f64::from(k / 3)])
+}
+
+/// Two blocks that pass through each other at right angles on straight ways, stand for `hold` seconds and go on.
+fn crossing(minimum_distance: f64, hold: f64) -> Scene {
+    let pair = |one, other| block(one).chain(block(other)).collect::<Vec<_>>();
+    let segment = serde_json::json!({ "method": "linear", "avoidance": true });
+    let text = serde_json::json!({
+        "format": "eigenform", "version": 1, "minimumDistance": minimum_distance, "join": "smooth",
+        "keyframes": [
+            { "positions": pair([-6.0, 0.0], [0.0, -6.0]) },
+            { "time": 6, "hold": hold, "positions": pair([6.0, 0.0], [0.0, 6.0]) },
+            { "time": 12, "positions": pair([10.0, 3.0], [-3.0, 10.0]) },
+        ],
+        "segments": [segment, segment],
+    });
+    read_json(&text.to_string()).expect("the show is valid")
+}
+
+fn salvage(scene: &Scene, index: usize) -> Option<Box<Salvage>> {
+    let mut performer = Performer::default();
+    let mut job = performer.salvage(scene, index);
+    let mut last = 0.0;
+    loop {
+        match job.step(&mut performer).expect("the show can be performed") {
+            SalvageStep::Done(found) => return found,
+            SalvageStep::Progress(progress) => {
+                assert!((last..=1.0).contains(&progress), "progress runs from {last} to {progress}");
+                last = progress;
+            }
+        }
+    }
+}
+
+/// The meetings in a scene that are too near, found anew.
+fn too_near(scene: &Scene) -> usize {
+    let performance = perform(scene).expect("the show can be performed");
+    performance.segments().iter().map(|segment| clashes(&segment.motion, scene.minimum_distance - 1e-6).len()).sum()
+}
+
+#[test]
+fn those_who_are_stuck_spread_out_by_way_of_keyframes_that_keep_everybody_apart() {
+    let scene = crossing(0.8, 1.0);
+    assert!(too_near(&scene) > 0, "they are stuck");
+    let found = salvage(&scene, 0).expect("there is something to mend");
+    let apart = found.apply(&scene, 0);
+    assert_eq!(too_near(&apart), 0);
+    // Nothing but the segment has changed.
+    let (before, after) = (scene.main_track(), apart.main_track());
+    let added = found.keyframes.len();
+    assert_eq!(after.keyframes[1..=added], found.keyframes);
+    assert_eq!([&after.keyframes[..1], &after.keyframes[1 + added..]].concat(), before.keyframes);
+    assert_eq!(after.segments[1 + added..], before.segments[1..]);
+    // A file and a link keep it.
+    assert_eq!(read_json(&write_json(&apart)).as_ref(), Ok(&apart));
+    let link = link::encode(&apart, Precision::Exact);
+    assert_eq!((link.rounding, link.step), (0.0, 0.01), "new places lie on a person's grid");
+    assert_eq!(too_near(&link::decode(&link.fragment).expect("a link reads back")), 0);
+}
+
+#[test]
+fn the_numbers_of_a_salvage_are_those_of_the_motion_that_is_accepted() {
+    let scene = crossing(0.8, 1.0);
+    let found = salvage(&scene, 0).expect("there is something to mend");
+    let performance = perform(&found.apply(&scene, 0)).expect("the show can be performed");
+    let parts = &performance.segments()[..=found.keyframes.len()];
+    let report = &found.report;
+    let nearest = parts.iter().filter_map(|part| part.measures.clearance).map(|clearance| clearance.distance).fold(f64::INFINITY, f64::min);
+    assert_eq!(report.clearance.map(|clearance| clearance.distance), Some(nearest));
+    let mut plain = scene.clone();
+    for Segment::Transition(transition) in &mut plain.tracks[0].segments {
+        transition.avoidance = false;
+    }
+    let guide = perform(&plain).expect("the show can be performed");
+    let mut widest = 0.0_f64;
+    for part in parts {
+        for (k, time) in part.motion.times().iter().enumerate() {
+            let shifts = part.motion.sample(k).iter().zip(guide.positions_at(*time)).map(|(place, was)| place.distance(was));
+            widest = shifts.fold(widest, f64::max);
+        }
+    }
+    assert!((report.deviation.max - widest).abs() < 1e-9, "{} {widest}", report.deviation.max);
+    let fastest = parts.iter().map(|part| part.measures.top_speed.speed).fold(0.0, f64::max);
+    assert!((report.top_speed - fastest).abs() < 1e-9);
+    assert!((report.guide_top_speed - guide.segments()[0].measures.top_speed.speed).abs() < 1e-9);
+    // Two meters, or three minimum distances.
+    assert_eq!(report.is_wild, widest > 2.4 || fastest > 1.5 * report.guide_top_speed);
+}
+
+#[test]
+fn where_nobody_is_stuck_or_a_keyframe_is_to_blame_there_is_nothing_to_spread() {
+    for minimum_distance in [0.3, 1.01] {
+        assert!(salvage(&crossing(minimum_distance, 1.0), 0).is_none(), "{minimum_distance}");
+    }
+}
+
+/// Who takes whose place on a lattice of 4 × 4: where auto's own guide fails at 0.7 m, and another one does not, or all do.
+const MENDED: [usize; 16] = [13, 12, 2, 5, 8, 15, 1, 9, 7, 3, 10, 4, 6, 11, 0, 14];
+const HOPELESS: [usize; 16] = [15, 14, 0, 13, 9, 3, 6, 11, 12, 7, 4, 2, 8, 5, 1, 10];
+
+/// Sixteen agents a meter apart who change places, and go on to the right.
+fn shuffled(minimum_distance: f64, join: &str, slots: [usize; 16]) -> Scene {
+    let start: Vec<[f64; 2]> = (0..16).map(|k| [f64::from(k % 4), f64::from(k / 4)]).collect();
+    let target = slots.map(|slot| start[slot]);
+    let last = target.map(|[x, y]| [x + 6.0, y]);
+    let segment = serde_json::json!({ "avoidance": true });
+    let text = serde_json::json!({
+        "format": "eigenform", "version": 1, "minimumDistance": minimum_distance, "join": join,
+        "keyframes": [{ "positions": start }, { "time": 6, "positions": target }, { "time": 12, "positions": last }],
+        "segments": [segment, segment],
+    });
+    read_json(&text.to_string()).expect("the show is valid")
+}
+
+fn first_segment(scene: &Scene, choice: Option<Choice>) -> Arc<Performed> {
+    let mut scene = scene.clone();
+    let Segment::Transition(transition) = &mut scene.tracks[0].segments[0];
+    transition.chosen = choice;
+    finish(&mut Performer::default(), &scene, 0, None)
+}
+
+fn left(performed: &Performed) -> usize {
+    performed.avoided.as_ref().expect("agents are kept apart").unsolved.len()
+}
+
+/// What auto finds best before anybody is kept apart.
+fn own_choice(performed: &Performed) -> Choice {
+    let tried = performed
+        .candidates
+        .iter()
+        .filter(|candidate| !(candidate.choice.method == MethodName::Spectral && candidate.choice.sharing == 1.0));
+    tried.min_by(|a, b| a.score.total_cmp(&b.score)).expect("auto tries some").choice
+}
+
+#[test]
+fn auto_resorts_to_the_first_guide_that_can_be_kept_apart_or_to_the_one_that_leaves_fewest() {
+    let halfway = |order, alignment| Choice { method: MethodName::Spectral, order, alignment, sharing: 1.0 };
+    let straight = Choice { method: MethodName::Linear, ..halfway(Order::Greedy, Alignment::Procrustes) };
+    let resorts = [
+        straight,
+        halfway(Order::Hungarian, Alignment::Procrustes),
+        halfway(Order::Hungarian, Alignment::None),
+        halfway(Order::Greedy, Alignment::Pca),
+    ];
+    for (slots, is_kept_apart) in [(MENDED, true), (HOPELESS, false)] {
+        let scene = shuffled(0.7, "separate", slots);
+        let taken = first_segment(&scene, None);
+        let own = own_choice(&taken);
+        let tried = std::iter::once(own)
+            .chain(resorts.into_iter().filter(|choice| choice.method != own.method || own.method != MethodName::Linear));
+        let counts: Vec<(Choice, usize)> = tried.map(|choice| (choice, left(&first_segment(&scene, Some(choice))))).collect();
+        assert!(counts[0].1 > 0, "auto's own guide fails");
+        let least = counts.iter().map(|(_, count)| *count).min();
+        let expected = counts.iter().find(|(_, count)| Some(*count) == least).expect("one is the least");
+        assert_eq!((taken.choice, left(&taken)), *expected, "{counts:?}");
+        assert_eq!(least == Some(0), is_kept_apart);
+        // The table marks it, with its own score, and nothing else.
+        let marked: Vec<Choice> =
+            taken.candidates.iter().filter(|candidate| candidate.is_chosen).map(|candidate| candidate.choice).collect();
+        assert_eq!(marked, [taken.choice]);
+    }
+}
+
+#[test]
+fn auto_keeps_its_guide_where_it_holds_where_agents_pass_and_where_it_is_told() {
+    let own = own_choice(&first_segment(&shuffled(0.7, "separate", MENDED), None));
+    for (what, scene) in [("it holds", shuffled(0.2, "separate", MENDED)), ("agents pass on", shuffled(0.7, "smooth", MENDED))] {
+        let performed = first_segment(&scene, None);
+        assert_eq!(performed.choice, own_choice(&performed), "{what}");
+    }
+    let told = first_segment(&shuffled(0.7, "separate", MENDED), Some(own));
+    assert_eq!(told.choice, own);
+    assert!(left(&told) > 0);
 }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use eigenform::adjacency::Adjacency;
 use eigenform::formation::Formation;
 use eigenform::motion::Motion;
-use eigenform::perform::{Performed, Performer, SegmentJob, Step};
+use eigenform::perform::{Performed, Performer, Salvage, SalvageJob, SalvageStep, SegmentJob, Step};
 use eigenform::scene::Scene;
 use eigenform::scene::recording::Recording;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -28,6 +28,8 @@ pub struct Engine {
     /// The segment worked on last.
     at: Option<usize>,
     done: Option<Arc<Performed>>,
+    salvage: Option<SalvageJob>,
+    salvaged: Option<Box<Salvage>>,
     recording: Option<Recording>,
 }
 
@@ -112,6 +114,29 @@ impl Engine {
     /// Drops the jobs under way.
     pub fn stop(&mut self) {
         self.jobs.clear();
+        self.salvage = None;
+    }
+
+    /// Works for a while on letting those who are stuck in a segment spread out; answers how far it is, 1 when what was found can be
+    /// read.
+    pub fn salvage(&mut self, segment: usize) -> Result<f64, Refusal> {
+        let scene = at_hand(self.scene.as_ref());
+        let mut job = self.salvage.take().unwrap_or_else(|| self.performer.salvage(scene, segment));
+        match job.step(&mut self.performer)? {
+            SalvageStep::Progress(progress) => {
+                self.salvage = Some(job);
+                Ok(progress.min(0.999))
+            }
+            SalvageStep::Done(found) => {
+                self.salvaged = found;
+                Ok(1.0)
+            }
+        }
+    }
+
+    /// What was found, JSON `{keyframes, part, report}`; null where there was nothing to mend.
+    pub fn salvaged(&self) -> String {
+        encode(&self.salvaged)
     }
 
     /// Sample times of the segment just moved, scene seconds.

@@ -55,6 +55,12 @@ export interface Calls {
   };
   /** Answers JSON of measures and curves. */
   movement: { ask: { readonly scene: SceneMessage; readonly segment: number }; answer: string };
+  /** A slice of the work of letting them spread out; without a scene it goes on with the work under way. */
+  salvage: {
+    ask: { readonly scene: SceneMessage | null; readonly segment: number };
+    /** JSON of what was found; null until the work is done. */
+    answer: { readonly progress: number; readonly found: string | null };
+  };
   /** Answers JSON of the groups. */
   proposeGroups: { ask: GroupingRequest; answer: string };
   /** Answered when the request is taken over; results follow as plan messages. */

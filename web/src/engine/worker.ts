@@ -23,6 +23,9 @@ let engine: Engine | null = null;
 let plan: Plan | null = null;
 let isTurning = false;
 
+/** Work that is asked for in slices goes on for about so many milliseconds at a time. */
+const SLICE = 50;
+
 function post(answer: Answer, transfer: Transferable[] = []): void {
   self.postMessage(answer, { transfer });
 }
@@ -78,6 +81,13 @@ const handlers: Handlers = {
     let progress = 0;
     while (progress < 1) progress = to.step(segment);
     return to.segment_movement();
+  },
+  salvage: ({ scene, segment }, to) => {
+    if (scene) take(scene, to);
+    const end = performance.now() + SLICE;
+    let progress = 0;
+    while (progress < 1 && performance.now() < end) progress = to.salvage(segment);
+    return { progress, found: progress < 1 ? null : to.salvaged() };
   },
   proposeGroups: ({ scene, keyframe, agents, way }, to) => {
     take(scene, to);

@@ -25,7 +25,8 @@ struct Tally {
     breached: usize,
     free: usize,
     solved: Vec<f64>,
-    rungs: [usize; 5],
+    /// How many each rung solved.
+    rungs: [usize; 16],
     failed: usize,
     jerks: Vec<f64>,
     means: Vec<f64>,

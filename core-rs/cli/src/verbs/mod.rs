@@ -10,3 +10,4 @@ pub mod modes;
 pub mod motion;
 pub mod open;
 pub mod shape;
+pub mod spread;

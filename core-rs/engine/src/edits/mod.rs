@@ -9,7 +9,10 @@ mod deviation;
 mod grain;
 mod spline;
 
-pub use avoidance::{Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, judge, nearest_to};
+pub use avoidance::{
+    Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, SpreadJob, SpreadStep, is_modest, judge,
+    nearest_to,
+};
 pub use crowd::{Aim, CrowdJob, CrowdRules, CrowdStep, Ending, Led};
 pub use deviation::Deviation;
 pub use eigenform_apart::Outline;

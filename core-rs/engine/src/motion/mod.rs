@@ -111,6 +111,15 @@ impl Motion {
         ends.map(|spacing| 0.5 * spacing.unwrap_or(1.0)).iter().sum::<f64>().max(LEAST_SPACING)
     }
 
+    /// The fastest that anybody goes from one sample to the next, meters a second.
+    pub fn top_speed(&self) -> f64 {
+        let fastest = |k: usize| {
+            let steps = self.places(k - 1).iter().zip(self.places(k).iter());
+            steps.map(|(from, to)| from.distance(to)).fold(0.0, f64::max) / (self.times[k] - self.times[k - 1])
+        };
+        (1..self.times.len()).map(fastest).fold(0.0, f64::max)
+    }
+
     /// The diagonal of the box that holds every sample, meters.
     pub fn extent(&self) -> f64 {
         let Some(&first) = self.positions.first() else { return 0.0 };

@@ -125,7 +125,8 @@ pub(super) fn judged(brief: &Brief, chain: &Chain, motion: &Motion, deviation: E
     })
 }
 
-fn avoidance(brief: &Brief, chain: &Chain, guide: &Motion) -> Avoidance {
+/// What a segment asks to be kept apart, on its way by `guide` along `chain`.
+pub(super) fn avoidance(brief: &Brief, chain: &Chain, guide: &Motion) -> Avoidance {
     Avoidance {
         minimum_distance: brief.minimum_distance,
         is_clamped: brief.stops().map(|is_stop| !is_stop),
@@ -135,9 +136,15 @@ fn avoidance(brief: &Brief, chain: &Chain, guide: &Motion) -> Avoidance {
     }
 }
 
-fn clearance(approach: Approach) -> Clearance {
+pub(super) fn clearance(approach: Approach) -> Clearance {
     let Approach { distance, time, agents } = approach;
     Clearance { distance, time, agents }
+}
+
+/// A meeting as the engine's rooms below know it.
+pub(super) fn approach(clearance: &Clearance) -> Approach {
+    let Clearance { distance, time, agents } = *clearance;
+    Approach { distance, time, agents }
 }
 
 pub(super) fn outline(shape: &ObstacleShape) -> Outline {

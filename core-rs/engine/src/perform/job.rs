@@ -365,7 +365,9 @@ impl Work {
         match &self.stage {
             Stage::Tying(_) => PLANNING_SHARE * self.planned(0, 3),
             Stage::Choosing(Choosing { trial, known, .. }) => {
-                PLANNING_SHARE * self.planned(trial.as_ref().map_or(0, Trial::left), 3 - known.len())
+                // The choice under way counts by the ways it has left.
+                let untouched = 3 - known.len() - usize::from(trial.is_some());
+                PLANNING_SHARE * self.planned(trial.as_ref().map_or(0, Trial::left), untouched)
             }
             Stage::Planning(_) => PLANNING_SHARE * self.planned(0, 0),
             Stage::Clocking(_, path) => PLANNING_SHARE + CLOCK_SHARE * path.progress(),

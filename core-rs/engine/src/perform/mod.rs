@@ -15,6 +15,7 @@ mod levels;
 mod modes;
 mod performed;
 mod resorts;
+mod salvage;
 mod sampling;
 mod show;
 mod text;
@@ -35,6 +36,7 @@ pub use counterpart::Counterpart;
 pub use crowd::Crowded;
 pub use job::{SegmentJob, Step};
 pub use performed::{Candidate, Performed, Report};
+pub use salvage::{Salvage, SalvageJob, SalvageReport, SalvageStep};
 pub use show::Performance;
 
 use brief::Brief;

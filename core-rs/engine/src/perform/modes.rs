@@ -27,7 +27,8 @@ impl Performer {
         Ok(eigenvalues_between(&source.laplacian(), &target.laplacian(), steps))
     }
 
-    fn end(&mut self, scene: &Scene, keyframe: usize) -> Result<End, Error> {
+    /// A keyframe with its ties.
+    pub(super) fn end(&mut self, scene: &Scene, keyframe: usize) -> Result<End, Error> {
         let formation = scene.main_track().keyframes[keyframe].positions.clone();
         Ok(End { formation, adjacency: self.graph(scene, keyframe)? })
     }

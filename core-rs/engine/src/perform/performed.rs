@@ -92,8 +92,7 @@ impl Performed {
     /// Places at `times` (scene seconds within the segment), from the method itself and what keeps agents apart:
     /// `plan[k * agent_count + i]`, and so the heights where they are asked for.
     pub fn places_into(&self, times: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
-        let ts: Vec<f64> = times.iter().map(|time| self.clock.parameter((time - self.start) / (self.end - self.start))).collect();
-        self.transition.evaluate_into(&ts, plan, heights.as_deref_mut());
+        self.transition.evaluate_into(&self.parameters(times), plan, heights.as_deref_mut());
         let agent_count = self.transition.agent_count();
         for deviation in self.deviations() {
             for (k, time) in times.iter().enumerate() {
@@ -106,5 +105,30 @@ impl Performed {
     /// What was added to the method's own way.
     pub(super) fn deviations(&self) -> impl Iterator<Item = &Deviation> {
         self.crowded.iter().map(|crowded| &crowded.deviation).chain(&self.deviation)
+    }
+
+    /// The method's parameters at `times`, scene seconds.
+    pub(super) fn parameters(&self, times: &[f64]) -> Vec<f64> {
+        times.iter().map(|time| self.clock.parameter((time - self.start) / (self.end - self.start))).collect()
+    }
+
+    /// Where everybody is at `times` before they are kept apart.
+    pub(super) fn guide(&self, times: Vec<f64>) -> Motion {
+        let agent_count = self.transition.agent_count();
+        let mut plan = vec![DVec2::ZERO; times.len() * agent_count];
+        let mut heights = self.motion.heights().map(|_| vec![0.0; plan.len()]);
+        self.transition.evaluate_into(&self.parameters(&times), &mut plan, heights.as_deref_mut());
+        if let Some(crowded) = &self.crowded {
+            for (k, time) in times.iter().enumerate() {
+                let range = k * agent_count..(k + 1) * agent_count;
+                crowded.deviation.add_to(*time, &mut plan[range.clone()], heights.as_deref_mut().map(|heights| &mut heights[range]));
+            }
+        }
+        Motion::sampled(times, agent_count, plan, heights)
+    }
+
+    /// How many meetings are too near, of agents and with obstacles.
+    pub(super) fn open_count(&self) -> usize {
+        self.avoided.as_ref().map_or(0, |avoided| avoided.unsolved.len() + avoided.blocked.len())
     }
 }

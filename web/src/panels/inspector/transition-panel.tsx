@@ -3,6 +3,7 @@ import { LIMITS, SHORTEST_TRANSITION } from "../../document/limits";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { WordAction } from "../action-button";
+import { lazily } from "../lazily";
 import { StatusPill } from "../status";
 import { useStudio } from "../studio";
 import { Candidates } from "./candidates";
@@ -14,6 +15,8 @@ import { planningView } from "./planning-view";
 import { Section } from "./section";
 import { SpanRow } from "./span-row";
 import { TransitionOptions } from "./transition-options";
+
+const SpreadOut = lazily(() => import("./spread-out").then((part) => part.SpreadOut));
 
 /** How one formation becomes the next, how well, and why so. */
 export function TransitionPanel({ index }: { index: number }) {
@@ -43,6 +46,7 @@ export function TransitionPanel({ index }: { index: number }) {
         <TransitionOptions index={index} segment={segment} choice={view.plan?.report.choice ?? segment.chosen} />
         <PlanningNote view={view} />
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
+        {segment.avoidance && <SpreadOut key={index} index={index} report={view.plan?.report ?? null} />}
       </Section>
       {view.plan && <Measures plan={view.plan} index={index} />}
       <Section>

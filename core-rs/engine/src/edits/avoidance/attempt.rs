@@ -2,10 +2,12 @@
 
 use eigenform_apart::Paths;
 
-use super::Avoidance;
 use super::breaches::{Breach, Other};
 use super::obstacles::Blocked;
+use super::problem::Problem;
 use super::sampling::moved;
+use super::{AvoidanceReport, Edited, SLACK};
+use crate::edits::deviation::Deviation;
 use crate::motion::{Approach, Motion, clashes};
 
 /// What came of one rung.
@@ -22,12 +24,25 @@ pub(super) struct Attempt {
 
 impl Attempt {
     /// The guide moved by a deviation, checked exactly.
-    pub(super) fn new(rung: usize, guide: &Motion, deviation: Paths, avoidance: &Avoidance, slack: f64, breaches: &[Breach]) -> Self {
-        let motion = moved(guide, &deviation);
-        let clashes = clashes(&motion, avoidance.minimum_distance - slack);
-        let blocked = avoidance.blocked(&motion, slack);
-        let open_count = open_count(&clashes, breaches, &motion) + free_count(&blocked, breaches);
+    pub(super) fn new(rung: usize, problem: &Problem, deviation: Paths) -> Self {
+        let motion = moved(&problem.guide, &deviation);
+        let clashes = clashes(&motion, problem.avoidance.minimum_distance - SLACK);
+        let blocked = problem.avoidance.blocked(&motion, SLACK);
+        let open_count = open_count(&clashes, &problem.breaches, &motion) + free_count(&blocked, &problem.breaches);
         Self { rung, deviation, motion, clashes, blocked, open_count }
+    }
+
+    /// As it is handed out.
+    pub(super) fn into_edited(self, breaches: Vec<Breach>, is_clamped: [bool; 2]) -> Edited {
+        let deviation = Deviation::new(self.motion.times().to_vec(), &self.deviation, is_clamped);
+        let report = AvoidanceReport {
+            deviation: self.deviation_lengths(),
+            unsolved: self.clashes,
+            blocked: self.blocked,
+            breaches,
+            rung: self.rung,
+        };
+        Edited { motion: self.motion, deviation: Some(deviation), report }
     }
 
     /// Mean and greatest length of the deviation, meters.

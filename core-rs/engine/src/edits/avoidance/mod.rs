@@ -5,13 +5,17 @@
 
 mod attempt;
 mod breaches;
+mod climb;
+mod hull;
 mod job;
 mod meetings;
 mod obstacles;
+mod problem;
 mod reroute;
 mod rungs;
 mod sampling;
-mod swirl;
+mod spread;
+mod warp;
 
 use crate::motion::{Approach, Motion, clashes};
 
@@ -21,6 +25,8 @@ pub use breaches::{Breach, Other};
 pub use eigenform_apart::Outline;
 pub use job::{AvoidanceJob, AvoidanceStep};
 pub use obstacles::{Blocked, Hold, nearest_to};
+pub use spread::{SpreadJob, SpreadStep};
+pub use warp::is_modest;
 
 /// What the exact check lets pass, meters: positions are exact to a thousandth of it.
 const SLACK: f64 = 1e-6;

@@ -2,14 +2,12 @@
 //!
 //! Whoever heads the same way passes on the same side, each as far outside as they stand to that side of the others: a block bows out
 //! as a block. The way around is the shortest about the convex hull of the obstacle, grown by the distance; it is walked with the
-//! guide's own clock, by arc length. Smaller notches than the hull are not entered.
-
-use std::f64::consts::{PI, TAU};
+//! guide's own clock, by arc length. Notches are entered only by those who stand in them: straight out or in, by the shortest way.
 
 use eigenform_apart::{Kernel, Outline, Paths};
 use glam::DVec2;
 
-use crate::obstacle::hull;
+use super::hull::{chain, extent, grown, way_out};
 
 /// Obstacles may push into one another's way; after so many rounds what is left is left to the pushes.
 const ROUNDS: usize = 3;
@@ -20,11 +18,11 @@ const MARGIN: f64 = 0.08;
 /// Ways that differ by less than 60° are one.
 const SAME_HEADING: f64 = 0.5;
 
-/// Corners of the circle about a corner.
-const ROUND_CORNERS: usize = 16;
-
 /// The way is left and met again so many radii of the obstacle before and after it.
 const RUN_UP: f64 = 1.5;
+
+/// Whoever stands just as far away as asked for may leave, meters.
+const ROUND_OFF: f64 = 1e-6;
 
 /// Kernel time of the smoothing, knots.
 const SMOOTHING: f64 = 2.5;
@@ -71,7 +69,7 @@ fn around(paths: &mut Paths, outline: &Outline, distance: f64, is_moved: &mut [b
         for agent in everybody {
             let lane = offset(paths, agent, outline, side) - innermost;
             if lane >= 0.0 {
-                is_moved[agent] |= lead(paths, agent, outline, near + lane, heading.perp().dot(side) > 0.0);
+                is_moved[agent] |= lead(paths, agent, outline, [distance, near + lane], heading.perp().dot(side) > 0.0);
             }
         }
     }
@@ -122,8 +120,8 @@ fn span(paths: &Paths, agent: usize, outline: &Outline, reach: f64) -> Option<(u
     Some((first, near.next_back().unwrap_or(first) + 1))
 }
 
-/// Leads one agent around at `reach` from the outline; whether there was need and a way.
-fn lead(paths: &mut Paths, agent: usize, outline: &Outline, reach: f64, is_left: bool) -> bool {
+/// Leads one agent around at `reach` from the outline, no nearer than `least` out of a notch; whether there was need and a way.
+fn lead(paths: &mut Paths, agent: usize, outline: &Outline, [least, reach]: [f64; 2], is_left: bool) -> bool {
     let Some((first, last)) = span(paths, agent, outline, reach) else { return false };
     let knot_count = paths.knot_count();
     let places: Vec<DVec2> = (0..knot_count).map(|knot| at(paths, agent, knot)).collect();
@@ -131,45 +129,16 @@ fn lead(paths: &mut Paths, agent: usize, outline: &Outline, reach: f64, is_left:
     let run_up = RUN_UP * extent(&grown);
     let leave = (0..first).rev().find(|knot| places[*knot].distance(places[first]) >= run_up).unwrap_or(0);
     let meet = (last..knot_count).find(|knot| places[*knot].distance(places[last]) >= run_up).unwrap_or(knot_count - 1);
-    let Some(chain) = chain(&grown, places[leave], places[meet], is_left) else { return false };
-    let way = [&places[..leave], &chain, &places[meet + 1..]].concat();
+    let out = |knot: usize| way_out(&grown, outline, places[knot], least - ROUND_OFF);
+    let (Some(start), Some(end)) = (out(leave), out(meet)) else { return false };
+    let Some(chain) = chain(&grown, start, end, is_left) else { return false };
+    let way = [&places[..=leave], &chain, &places[meet..]].concat();
     let moved = walked(&places, &way);
     for (knot, place) in moved.into_iter().enumerate().take(knot_count - 1).skip(1) {
         paths.path_mut(0, agent)[knot] = place.x;
         paths.path_mut(1, agent)[knot] = place.y;
     }
     true
-}
-
-/// Points whose hull holds everything within `reach` of the outline.
-fn grown(outline: &Outline, reach: f64) -> Vec<DVec2> {
-    let radius = (outline.radius + reach) / libm::cos(PI / ROUND_CORNERS as f64);
-    let corner = |k: usize| {
-        let angle = TAU * k as f64 / ROUND_CORNERS as f64;
-        DVec2::new(libm::cos(angle), libm::sin(angle)) * radius
-    };
-    outline.points.iter().flat_map(|p| (0..ROUND_CORNERS).map(move |k| DVec2::from_array(*p) + corner(k))).collect()
-}
-
-fn extent(points: &[DVec2]) -> f64 {
-    let middle = points.iter().sum::<DVec2>() / points.len() as f64;
-    points.iter().map(|p| p.distance(middle)).fold(0.0, f64::max)
-}
-
-/// The shortest way from `start` to `end` around points on one side of them; none when an end is among them.
-fn chain(points: &[DVec2], start: DVec2, end: DVec2, is_left: bool) -> Option<Vec<DVec2>> {
-    let mut all = points.to_vec();
-    all.extend([start, end]);
-    let mut hull = hull(all);
-    if is_left {
-        hull.reverse();
-    }
-    // Counterclockwise, what comes after the start lies to the right of the way.
-    let at = hull.iter().position(|p| *p == start)?;
-    hull.rotate_left(at);
-    let to = hull.iter().position(|p| *p == end)?;
-    hull.truncate(to + 1);
-    Some(hull)
 }
 
 /// Where one is on a new way, a knot each, who has covered as much of it as of the old one.
@@ -206,17 +175,6 @@ fn at(paths: &Paths, agent: usize, knot: usize) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_way_around_passes_on_the_side_asked_for() {
-        let points = grown(&Outline { points: vec![[0.0, 0.0]], radius: 1.0 }, 0.5);
-        let (west, east) = (DVec2::new(-5.0, 0.0), DVec2::new(5.0, 0.0));
-        let right = chain(&points, west, east, false).unwrap();
-        let left = chain(&points, west, east, true).unwrap();
-        assert!(right.iter().all(|p| p.y <= 1e-12) && left.iter().all(|p| p.y >= -1e-12));
-        assert_eq!((right[0], right[right.len() - 1]), (west, east));
-        assert_eq!(chain(&points, DVec2::ZERO, east, true), None);
-    }
 
     #[test]
     fn a_longer_way_is_walked_in_the_same_time() {

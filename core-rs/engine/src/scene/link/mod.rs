@@ -20,7 +20,7 @@ use std::sync::Arc;
 
 use document::{Document, code_document};
 use range::{Reader, Writer};
-pub use round::Precision;
+pub use round::{Precision, onto_grid};
 use route::Cell;
 use step::Step;
 

@@ -61,6 +61,16 @@ pub fn round(scene: &Scene, precision: Precision) -> Rounded {
     Rounded { step, cells, heights, farthest, broken_keyframes }
 }
 
+/// Moves places that are made from a scene's onto the scene's own grid, or one as fine as `longest` meters that holds it: its link
+/// then grows by no more than it must. Where a link has rounded the scene before, they stay.
+pub fn onto_grid(scene: &Scene, longest: f64, places: &mut [DVec3]) {
+    let points: Vec<DVec3> = scene.main_track().keyframes.iter().flat_map(|keyframe| points_of(&keyframe.positions)).collect();
+    let step = coarsest(&points).at_most(longest);
+    if step.meters() <= longest {
+        snap(step, places);
+    }
+}
+
 /// The formation of a grid's cells, and of heights in space.
 pub fn formation(step: Step, cells: &[Cell], heights: Option<&[i64]>) -> Arc<Formation> {
     let positions = cells.iter().map(|[x, y]| DVec2::new(step.value(*x), step.value(*y))).collect();

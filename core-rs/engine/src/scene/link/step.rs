@@ -82,6 +82,22 @@ impl Step {
         self.value(1)
     }
 
+    /// A step of the catalog that stands for all that this one does and is at most `longest` meters; a rounded one stays.
+    pub fn at_most(self, longest: f64) -> Self {
+        let mut step = self;
+        while step.meters() > longest {
+            step = match step {
+                Self::Field { halvings } => Self::Field { halvings: halvings + 1 },
+                Self::Part { parts } if parts < 100 => Self::Part { parts: 100 },
+                // Quarters of a meter are whole centimeters, which a person reads more easily than halvings.
+                Self::Binary { exponent: -2.. } => Self::Part { parts: 100 },
+                Self::Binary { exponent } => Self::Binary { exponent: exponent - 1 },
+                Self::Part { .. } | Self::Rounded { .. } => return step,
+            };
+        }
+        step
+    }
+
     /// The coordinate `index` steps from the origin, meters.
     pub fn value(self, index: i64) -> f64 {
         let index = index as f64;
@@ -171,6 +187,16 @@ mod tests {
                 let decimal: f64 = format!("{:.2}", index as f64 / f64::from(parts)).parse().unwrap();
                 assert_eq!(step.value(step.index(decimal)).to_bits() << 1, decimal.to_bits() << 1);
             }
+        }
+    }
+
+    #[test]
+    fn a_finer_step_stands_for_all_that_its_own_does() {
+        for step in Step::catalog() {
+            let fine = step.at_most(0.01);
+            assert!(fine.meters() <= 0.01, "{step:?}");
+            let coordinates = (-500..500).map(|index| step.value(index)).filter(|coordinate| COORDINATE.contains(coordinate));
+            assert!(coordinates.into_iter().all(|coordinate| fine.represents(coordinate)), "{step:?}");
         }
     }
 

@@ -1,0 +1,37 @@
+//! A guide, what to keep apart on it, and what is in the way.
+
+use super::attempt::{free_count, open_count};
+use super::breaches::Breach;
+use super::meetings::Lister;
+use super::obstacles::Blocked;
+use super::rungs::Ways;
+use super::{Avoidance, AvoidanceReport, BREACH_LIMIT, judge};
+use crate::motion::{Approach, Motion};
+
+/// What every attempt at one guide shares.
+pub(super) struct Problem {
+    pub(super) avoidance: Avoidance,
+    pub(super) guide: Motion,
+    pub(super) ways: Ways,
+    /// Of the guide.
+    pub(super) clashes: Vec<Approach>,
+    /// Of the guide.
+    pub(super) blocked: Vec<Blocked>,
+    pub(super) breaches: Vec<Breach>,
+    pub(super) lister: Lister,
+}
+
+impl Problem {
+    /// Checks the guide exactly.
+    pub(super) fn of(avoidance: Avoidance, guide: Motion) -> Self {
+        let AvoidanceReport { unsolved, blocked, breaches, .. } = judge(&avoidance, &guide);
+        Self { ways: Ways::of(&guide), clashes: unsolved, blocked, breaches, lister: Lister::default(), avoidance, guide }
+    }
+
+    /// Whether somebody comes too near whom no keyframe is to blame for, and can be moved.
+    pub(super) fn can_be_mended(&self) -> bool {
+        let is_open = open_count(&self.clashes, &self.breaches, &self.guide) + free_count(&self.blocked, &self.breaches) > 0;
+        // Three samples have one between the keyframes; a bump needs two.
+        is_open && self.ways.mean > 0.0 && self.guide.times().len() >= 4 && self.breaches.len() < BREACH_LIMIT
+    }
+}
