@@ -41,6 +41,7 @@ rows = {}
 for agent_count, count in ((300, 15), (1260, 7)):
     matrix = laplacian(strewn(agent_count, 1))
     rows[f"eigenbasis {agent_count}"] = runs(count, lambda: numpy.linalg.eigh(matrix))
-source, target = strewn(1260, 1), strewn(1260, 2)
-rows["assignment 1260"] = runs(7, lambda: linear_sum_assignment(cdist(source, target, "sqeuclidean")))
+for agent_count in (1260, 1936):
+    source, target = strewn(agent_count, 1), strewn(agent_count, 2)
+    rows[f"assignment {agent_count}"] = runs(7, lambda: linear_sum_assignment(cdist(source, target, "sqeuclidean")))
 print(json.dumps(rows))

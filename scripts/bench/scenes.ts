@@ -68,6 +68,7 @@ export function strewnShow(agentCount: number, keyframeCount: number, seconds: n
     hierarchy: false,
     nodes: [],
     crowd: CROWD_DEFAULTS,
+    assignment: null,
   } as const;
   const segments = Array.from({ length: keyframeCount - 1 }, () => segment);
   return { ...scene, join: "separate", tracks: [{ ...mainTrack(scene), agents, keyframes, segments }] };

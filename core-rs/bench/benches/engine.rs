@@ -28,8 +28,12 @@ fn eigenbasis(criterion: &mut Criterion) {
 }
 
 fn assign(criterion: &mut Criterion) {
-    let (source, target) = (strewn(1260, 1), strewn(1260, 2));
-    criterion.bench_function("assignment 1260", |bencher| bencher.iter(|| assignment::squared(black_box(&source), black_box(&target))));
+    for agent_count in [1260, 1936] {
+        let (source, target) = (strewn(agent_count, 1), strewn(agent_count, 2));
+        criterion.bench_function(&format!("assignment {agent_count}"), |bencher| {
+            bencher.iter(|| assignment::squared(black_box(&source), black_box(&target)));
+        });
+    }
 }
 
 /// From a moved agent at the middle keyframe to the new motions of both segments beside it.

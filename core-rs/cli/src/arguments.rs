@@ -53,6 +53,8 @@ pub enum Verb {
     Assign(Assign),
     /// A formation of so many agents from a picture, a drawing or text, as a scene file
     Shape(Shape),
+    /// Groups of those who keep their distances on the way to the next keyframe
+    Groups(Groups),
     /// The scene as a link
     Link(Link),
     /// The scene of a link, as a scene file
@@ -233,10 +235,15 @@ pub struct Modes {
 #[derive(Args, Debug)]
 #[command(after_help = "\
 JSON: {\"assignment\": […], \"cost\": …}; assignment[i] is the place of keyframe --to that agent i of keyframe --from
-takes, cost the sum of squared distances, square meters. It is the exact optimum.
+takes, cost the sum, square meters (of euclidean and manhattan meters). It is the exact optimum; of equal ones the same
+on every machine.
 
-Example:
-  eigenform assign show.eigenform.json --from 0 --to 1 --json")]
+Costs: squared (of the distance), least-effort (lambda · squared + (1 − lambda) · squared change of the mean distance to
+neighbors), euclidean, manhattan, or keep: everybody takes the place of their number.
+
+Examples:
+  eigenform assign show.eigenform.json --from 0 --to 1 --json
+  eigenform assign show.eigenform.json --from 0 --to 1 --cost least-effort --lambda 0.5 --lock 0:7 --keep-groups")]
 pub struct Assign {
     #[command(flatten)]
     pub source: Source,
@@ -246,12 +253,24 @@ pub struct Assign {
     /// The keyframe whose places they take, from 0
     #[arg(long, value_name = "K")]
     pub to: usize,
-    /// What is to be least: squared (the sum of squared distances)
+    /// What is to be least in sum: squared, least-effort, euclidean, manhattan, or keep
     #[arg(long, value_name = "COST", default_value = "squared")]
     pub cost: String,
-    /// A weight within costs other than squared
+    /// How much the way counts in least-effort, 0 to 1; 0.9 without it, and nothing to other costs
     #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true)]
     pub lambda: Option<f64>,
+    /// An agent and the place it takes whatever it costs; may be given again and again
+    #[arg(long, value_name = "AGENT:PLACE")]
+    pub lock: Vec<String>,
+    /// Give groups regions first, and their agents places within them
+    #[arg(long)]
+    pub keep_groups: bool,
+    /// As if everybody (of a group, with --keep-groups) stood mirrored end to end
+    #[arg(long)]
+    pub flip: bool,
+    /// As if everybody were carried as the locked agents are to their places
+    #[arg(long)]
+    pub predict: bool,
     /// Print JSON; without it one place a line, then the cost
     #[arg(long)]
     pub json: bool,
@@ -298,6 +317,35 @@ pub struct Shape {
     /// INPUT is text, whatever it looks like
     #[arg(long)]
     pub text: bool,
+}
+
+/// `groups`.
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Affinity propagation: two agents are alike as their distance changes little from keyframe K to the next (of the last
+keyframe, from the one before). Every agent is in one group.
+
+JSON: {\"groups\": [[agent, …], …], \"preference\": …}, agents ascending, groups by their lowest agent.
+
+Examples:
+  eigenform groups show.eigenform.json --keyframe 0
+  eigenform groups show.eigenform.json --keyframe 0 --preference -20 --metric manhattan --json")]
+pub struct Groups {
+    #[command(flatten)]
+    pub source: Source,
+    /// Which keyframe, from 0
+    #[arg(long, value_name = "K")]
+    pub keyframe: usize,
+    /// How readily an agent stands for a group, square meters; nearer to 0, more groups. Without it the median
+    /// similarity, which is minus a squared change of distance
+    #[arg(long, value_name = "P", allow_negative_numbers = true)]
+    pub preference: Option<f64>,
+    /// How distances are measured: euclidean or manhattan
+    #[arg(long, value_name = "METRIC", default_value = "euclidean")]
+    pub metric: String,
+    /// Print JSON; without it a group a line
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `link`.

@@ -14,7 +14,7 @@ use crate::arguments::Source;
 use crate::failure::Failure;
 
 /// Words that may be typed, and what each means.
-type Words<T> = (&'static [&'static str], &'static [T]);
+pub type Words<T> = (&'static [&'static str], &'static [T]);
 
 const METHODS: Words<MethodName> = (
     &["auto", "spectral", "shared", "polar", "linear", "crowd"],
@@ -110,7 +110,7 @@ fn override_parts(scene: &mut Scene, source: &Source) -> Result<(), Failure> {
 }
 
 /// The meaning of the one of `words` that was typed.
-fn word<T: Copy>(typed: &str, (words, meanings): &Words<T>, place: &str) -> Result<T, Failure> {
+pub fn word<T: Copy>(typed: &str, (words, meanings): &Words<T>, place: &str) -> Result<T, Failure> {
     match words.iter().position(|known| *known == typed) {
         Some(at) => Ok(meanings[at]),
         None => Err(Error::UnknownValue { value: quoted(typed), admissible: words, place: place.to_owned() }.into()),

@@ -49,6 +49,7 @@ fn run(verb: &Verb) -> Result<Vec<String>, Failure> {
         Verb::Modes(modes) => verbs::modes::run(modes),
         Verb::Assign(assign) => verbs::assign::run(assign),
         Verb::Shape(shape) => verbs::shape::run(shape),
+        Verb::Groups(groups) => verbs::groups::run(groups),
         Verb::Link(link) => verbs::link::run(link),
         Verb::Open(open) => verbs::open::run(open),
         Verb::Convert(convert) => verbs::convert::run(convert),

@@ -61,6 +61,8 @@ fn bad_input_is_two_and_says_where() {
         (&["convert", "show.json", "out.json", "--frames", "0,1"], "cut-row: "),
         (&["modes", "show.json", "--keyframe", "2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--keyframe)"),
         (&["assign", "show.json", "--from", "0", "--to", "7"], "out-of-range: "),
+        (&["groups", "show.json", "--keyframe", "2"], "out-of-range: "),
+        (&["groups", "show.json", "--keyframe", "0", "--metric", "chess"], "unknown-value: "),
         (&["motion", "show.json", "--at", "NaN"], "not-finite: "),
         (&["check", "show.json", "--minimum-distance", "-1"], "out-of-range: "),
         (&["check", "show.json", "--method", "fast"], "unknown-value: "),
@@ -131,13 +133,19 @@ fn a_shape_that_is_none_says_why() {
 }
 
 #[test]
-fn values_of_later_versions_are_unsupported() {
+fn an_assignment_that_cannot_be_says_why() {
     let desk = Desk::new();
-    for arguments in [
-        &["assign", "show.json", "--from", "0", "--to", "1", "--cost", "neighbors"][..],
-        &["assign", "show.json", "--from", "0", "--to", "1", "--lambda", "0.9"],
+    let between = ["assign", "show.json", "--from", "0", "--to", "1"];
+    for (more, start) in [
+        (&["--cost", "neighbors"][..], "unknown-value: "),
+        (&["--lambda", "1.5"], "out-of-range: "),
+        (&["--lock", "0-1"], "usage: "),
+        (&["--lock", "0:4"], "unknown-agent: "),
+        (&["--lock", "0:1", "--lock", "0:2"], "contradictory-locks: agent 0 is locked to slots 1 and 2"),
+        (&["--lock", "0:1", "--lock", "3:1"], "contradictory-locks: slot 1 is locked for agents 0 and 3"),
+        (&["--predict"], "nothing-to-predict-from: "),
     ] {
-        check(&desk, arguments, 2, "unsupported: ");
+        check(&desk, &[&between[..], more].concat(), 2, start);
     }
 }
 

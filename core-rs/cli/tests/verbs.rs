@@ -214,6 +214,56 @@ fn shape_writes_text() {
 }
 
 #[test]
+fn assign_does_as_it_is_told() {
+    let desk = Desk::new();
+    // Five abreast in two groups go to five places to the right and one apart from them.
+    desk.put(
+        "line.json",
+        r#"{ "format": "eigenform", "version": 1, "groups": [{ "members": [0, 2] }, { "members": [1, 3, 4] }], "keyframes": [
+            { "positions": [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0]] },
+            { "time": 2, "positions": [[14, 0], [13, 0], [12, 0], [11, 0], [10, 0]] }] }"#,
+    );
+    let slots = |more: &[&str]| {
+        let typed = [&["assign", "line.json", "--from", "0", "--to", "1", "--json"], more].concat();
+        serde_json::from_value::<Vec<u32>>(parsed(&desk.answer(&typed))["assignment"].clone()).expect("slots")
+    };
+    for cost in ["squared", "least-effort"] {
+        assert_eq!(slots(&["--cost", cost]), [4, 3, 2, 1, 0], "{cost}");
+    }
+    assert_eq!(slots(&["--cost", "keep"]), [0, 1, 2, 3, 4]);
+    assert_eq!(slots(&["--cost", "keep", "--lock", "0:1"]), [1, 0, 2, 3, 4]);
+    assert_eq!(slots(&["--lock", "0:1", "--lock", "4:2"]), [1, 4, 3, 0, 2]);
+    assert_eq!(slots(&["--keep-groups"]), [4, 2, 3, 1, 0]);
+    assert_eq!(slots(&["--flip"]), [0, 1, 2, 3, 4]);
+    assert_eq!(slots(&["--predict", "--lock", "0:0", "--lock", "1:1"]), [0, 1, 2, 3, 4]);
+}
+
+#[test]
+fn groups_are_those_who_move_as_one() {
+    let desk = Desk::new();
+    // Four go up and four to the right, mixed by number.
+    let places = |t: f64| {
+        let place = |agent: usize| {
+            let (x, y) = ((agent / 2 % 2) as f64, (agent / 4) as f64);
+            if agent % 2 == 0 { json!([x, y + t]) } else { json!([x + 10.0 + t, y]) }
+        };
+        (0..8).map(place).collect::<Vec<_>>()
+    };
+    let scene = json!({ "format": "eigenform", "version": 1,
+        "keyframes": [{ "positions": places(0.0) }, { "time": 2, "positions": places(9.0) }] });
+    desk.put("apart.json", &scene.to_string());
+    for keyframe in ["0", "1"] {
+        let report = parsed(&desk.answer(&["groups", "apart.json", "--keyframe", keyframe, "--json"]));
+        assert_eq!(report["groups"], json!([[0, 2, 4, 6], [1, 3, 5, 7]]));
+        assert!(number(&report["preference"]) < 0.0);
+    }
+    let alone = desk.answer(&["groups", "apart.json", "--keyframe", "0", "--preference", "1"]);
+    assert_eq!(alone, "0\n1\n2\n3\n4\n5\n6\n7\n");
+    let one = desk.answer(&["groups", "apart.json", "--keyframe", "0", "--preference", "-1e9", "--metric", "manhattan"]);
+    assert_eq!(one, "0 1 2 3 4 5 6 7\n");
+}
+
+#[test]
 fn a_link_opens_as_the_scene() {
     let desk = Desk::new();
     let link = desk.answer(&["link", "show.json", "--base", "https://example.org/"]);
@@ -339,7 +389,7 @@ fn the_same_scene_gives_the_same_bytes() {
 #[test]
 fn every_verb_has_help_with_an_example() {
     let desk = Desk::new();
-    for verb in ["motion", "measure", "modes", "assign", "link", "open", "convert", "check"] {
+    for verb in ["motion", "measure", "modes", "assign", "groups", "link", "open", "convert", "check"] {
         let help = desk.answer(&[verb, "--help"]);
         assert!(help.contains(&format!("  eigenform {verb} ")), "{help}");
     }

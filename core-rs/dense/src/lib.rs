@@ -5,6 +5,7 @@
 
 #![forbid(unsafe_code)]
 
+pub mod messages;
 mod reduced;
 
 use faer::linalg::matmul::matmul;

@@ -165,6 +165,9 @@ pub enum Error {
     /// A scene without any formation.
     #[error("there is no keyframe; a scene has at least one")]
     NoKeyframes,
+    /// A question about a way, and no way.
+    #[error("there is one keyframe; who keeps together on the way to another shows when there are two")]
+    OneKeyframe,
     /// Keyframes that do not follow one another.
     #[error("{time} s is not after {end} s, when the keyframe before ends (its time and hold); times must rise")]
     TimesDoNotRise {
@@ -273,6 +276,29 @@ pub enum Error {
         /// Where it has the other.
         place: String,
     },
+    /// An agent locked to two slots.
+    #[error("agent {agent} is locked to slots {} and {}; an agent has one", slots[0], slots[1])]
+    TwoSlots {
+        /// The agent.
+        agent: u32,
+        /// In the order given.
+        slots: [u32; 2],
+        /// The later lock.
+        place: String,
+    },
+    /// A slot locked for two agents.
+    #[error("slot {slot} is locked for agents {} and {}; a slot has one", agents[0], agents[1])]
+    SlotTaken {
+        /// The slot.
+        slot: u32,
+        /// In the order given.
+        agents: [u32; 2],
+        /// The later lock.
+        place: String,
+    },
+    /// A prediction from no pair.
+    #[error("there is no pair to predict the others from; lock one agent to its slot, better two or three")]
+    NothingToPredictFrom,
     /// A polygon that is a line or a point.
     #[error("the corners lie on a line or cross it to no area; a polygon has at least three that do not")]
     NoArea {

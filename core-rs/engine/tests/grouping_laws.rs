@@ -4,7 +4,7 @@ mod common;
 
 use eigenform::adjacency::{Adjacency, AdjacencySpec, Base, build};
 use eigenform::formation::Formation;
-use eigenform::grouping::{Branch, Way, propose};
+use eigenform::grouping::{AffinityJob, Branch, Metric, Preference, Way, propose};
 use glam::DVec2;
 use proptest::prelude::*;
 
@@ -108,6 +108,57 @@ fn a_proposal_for_some_leaves_the_others_alone() {
     assert_eq!(propose(&formation, &adjacency, &some, Way::Parts { count: 2 }), expected);
 }
 
+/// Groups by affinity, everybody asked.
+fn alike(source: &[DVec2], target: &[DVec2], metric: Metric, preference: Preference) -> Vec<Vec<u32>> {
+    let [from, to] = [source, target].map(|points| Formation::new(points.to_vec()));
+    let everyone: Vec<u32> = (0..source.len() as u32).rev().collect();
+    let mut job = AffinityJob::new(&from, &to, &everyone, metric, preference);
+    while job.step() < 1.0 {}
+    job.groups().into_iter().map(|group| group.members).collect()
+}
+
+const MEDIAN: Preference = Preference::OfMedian(1.0);
+
+/// The three blocks, each turned and shifted by itself.
+fn blocks_apart() -> (Vec<DVec2>, Vec<DVec2>) {
+    let ways = [(0.4, [-20.0, 3.0]), (-1.3, [11.0, -7.0]), (2.5, [4.0, 30.0])];
+    let turned = |(block, (angle, shift)): (usize, &(f64, [f64; 2]))| {
+        let place = move |p: DVec2| DVec2::from_angle(*angle).rotate(p) + DVec2::from_array(*shift);
+        blocks(&THREE[block..=block]).into_iter().map(place).collect::<Vec<_>>()
+    };
+    (blocks(&THREE), ways.iter().enumerate().flat_map(turned).collect())
+}
+
+#[test]
+fn those_who_keep_their_distances_are_a_group() {
+    let (source, target) = blocks_apart();
+    let expected: Vec<Vec<u32>> = (0..3).map(|block| (6 * block..6 * block + 6).collect()).collect();
+    assert_eq!(alike(&source, &target, Metric::Euclidean, MEDIAN), expected);
+    // Along the axes a turn changes distances, a shift does not.
+    let shifts = [DVec2::new(-20.0, -20.0), DVec2::new(20.0, 0.0), DVec2::new(0.0, 20.0)];
+    let shifted: Vec<DVec2> = source.iter().enumerate().map(|(agent, place)| *place + shifts[agent / 6]).collect();
+    assert_eq!(alike(&source, &shifted, Metric::Manhattan, MEDIAN), expected);
+}
+
+#[test]
+fn who_moves_as_one_is_one_group_and_whoever_prefers_it_stands_alone() {
+    let points = grid(5, 3);
+    let turned: Vec<DVec2> = points.iter().map(|p| DVec2::from_angle(1.0).rotate(*p) + 700.0).collect();
+    assert_eq!(alike(&points, &turned, Metric::Euclidean, MEDIAN), [(0..15).collect::<Vec<u32>>()]);
+    let (source, target) = blocks_apart();
+    assert_eq!(alike(&source, &target, Metric::Euclidean, Preference::Of(1.0)).len(), 18);
+    assert_eq!(alike(&source, &target, Metric::Euclidean, Preference::Of(-1e6)).len(), 1);
+}
+
+#[test]
+fn few_agents_have_an_affinity_too() {
+    let none: [Vec<u32>; 0] = [];
+    assert_eq!(alike(&[], &[], Metric::Euclidean, MEDIAN), none);
+    assert_eq!(alike(&[DVec2::ONE], &[DVec2::X], Metric::Euclidean, MEDIAN), [[0]]);
+    // The median of 0, 0, −1 and −1 is above −1.
+    assert_eq!(alike(&[DVec2::ZERO, DVec2::X], &[DVec2::ZERO, DVec2::X * 2.0], Metric::Euclidean, MEDIAN), [[0], [1]]);
+}
+
 fn any_way() -> impl Strategy<Value = Way> {
     prop_oneof![
         (1_u32..5).prop_map(|levels| Way::Bisect { levels }),
@@ -150,5 +201,33 @@ proptest! {
             found.sort();
             prop_assert_eq!(renamed(&proposed(&positions, &AdjacencySpec::default(), way)), found);
         }
+    }
+
+    #[test]
+    fn everybody_is_in_one_group_by_affinity_however_they_stand(source in any_formation(), target in any_formation()) {
+        let count = source.len().min(target.len());
+        let groups = alike(&source[..count], &target[..count], Metric::Euclidean, MEDIAN);
+        let mut all = groups.concat();
+        all.sort_unstable();
+        prop_assert_eq!(all, (0..count as u32).collect::<Vec<_>>());
+        prop_assert_eq!(groups, alike(&source[..count], &target[..count], Metric::Euclidean, MEDIAN), "the same again");
+    }
+
+    #[test]
+    fn new_labels_relabel_the_groups_by_affinity((source, labels) in relabeled(Just(blocks_apart().0))) {
+        let target = blocks_apart().1;
+        let moved = |points: &[DVec2]| {
+            let mut moved = points.to_vec();
+            labels.iter().zip(points).for_each(|(label, p)| moved[*label as usize] = *p);
+            moved
+        };
+        let renamed = |groups: Vec<Vec<u32>>| {
+            let mut all: Vec<Vec<u32>> = groups.iter().map(|set| set.iter().map(|agent| labels[*agent as usize]).collect()).collect();
+            all.iter_mut().for_each(|set: &mut Vec<u32>| set.sort_unstable());
+            all.sort();
+            all
+        };
+        let found = alike(&moved(&source), &moved(&target), Metric::Euclidean, MEDIAN);
+        prop_assert_eq!(renamed(alike(&source, &target, Metric::Euclidean, MEDIAN)), found);
     }
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// What each room may name of the others.
 const MAY_KNOW: [(&str, &[&str]); 16] = [
     ("adjacency", &["error", "formation"]),
-    ("assignment", &["formation"]),
+    ("assignment", &["adjacency", "error", "formation"]),
     ("choice", &[]),
     ("edits", &["formation", "motion", "obstacle"]),
     // `scene` only in the words of its limits.
@@ -35,7 +35,7 @@ const MAY_KNOW: [(&str, &[&str]); 16] = [
             "transition",
         ],
     ),
-    ("scene", &["adjacency", "choice", "error", "formation", "obstacle", "text"]),
+    ("scene", &["adjacency", "assignment", "choice", "error", "formation", "obstacle", "text"]),
     // `scene` only for how many agents it has at the most.
     ("shape", &["error", "formation", "scene"]),
     ("spectral", &["adjacency", "assignment", "choice", "formation"]),

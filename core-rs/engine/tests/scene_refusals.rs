@@ -151,12 +151,24 @@ fn values_of_another_type_or_word_are_refused() {
 }
 
 #[test]
+fn locks_that_contradict_each_other_say_which() {
+    let with_locks = |locks: &str| with_segment(&format!(r#""assignment": {{ "locks": [{locks}] }}"#));
+    check(&with_locks("[0, 1], [1, 0], [0, 2]"), "contradictory-locks", "segments[0].assignment.locks[2]");
+    check(&with_locks("[0, 1], [2, 1]"), "contradictory-locks", "segments[0].assignment.locks[1]");
+    check(&with_locks("[0, 3]"), "unknown-agent", "segments[0].assignment.locks[0]");
+    check(&with_locks("[0]"), "wrong-type", "segments[0].assignment.locks[0]");
+    check(&with_segment(r#""assignment": { "cost": "nearest" }"#), "unknown-value", "segments[0].assignment.cost");
+    check(&with_segment(r#""assignment": { "lambda": 1.5 }"#), "out-of-range", "segments[0].assignment.lambda");
+    let error = read_json(&with_locks("[0, 1], [0, 2]")).unwrap_err();
+    assert_eq!(error.to_string(), "agent 0 is locked to slots 1 and 2; an agent has one");
+}
+
+#[test]
 fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
     let cases = [
         (with_field("recordings", "[@]"), "recordings", " ", "{}"),
         (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),
         (with_segment(r#""path": @"#), "segments[0].path", "null", "[[0, 0]]"),
-        (with_segment(r#""assignment": @"#), "segments[0].assignment", "null", r#"{ "cost": "squared" }"#),
         // The paper prints its product of powers for the plane.
         (
             with(r#""join": "product","#).replace("[0, 1]", "[0, 1, @]").replace("[0, 0]", "[0, 0, 0]").replace("[1, 0]", "[1, 0, 0]"),

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use eigenform::adjacency::Adjacency;
-use eigenform::assignment;
+use eigenform::assignment::{self, Question};
 use eigenform::choice::Choice;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
-use eigenform::grouping::{self, Way};
+use eigenform::grouping::{self, AffinityJob, Metric, Preference, Way};
 use eigenform::perform::{Counterpart, Performed, Performer, SegmentJob};
 use eigenform::scene::recording::{Recording, read_recording};
 use eigenform::scene::{self, Scene, Source};
@@ -141,4 +141,40 @@ pub fn groups(scene: &Scene, keyframe: usize, graph: &Adjacency, agents: &[u32],
 
 pub fn assign(source: &Formation, target: &Formation) -> Vec<u32> {
     assignment::squared(source, target).targets().to_vec()
+}
+
+/// Long work for one answer.
+pub enum Errand {
+    Assignment(assignment::Job),
+    Affinity(AffinityJob),
+}
+
+impl Errand {
+    pub fn step(&mut self) -> f64 {
+        match self {
+            Self::Assignment(job) => job.step(),
+            Self::Affinity(job) => job.step(),
+        }
+    }
+
+    pub fn result(self) -> String {
+        match self {
+            Self::Assignment(job) => encode(&job.into_assignment().targets()),
+            Self::Affinity(job) => encode(&job.groups()),
+        }
+    }
+}
+
+pub fn assignment(scene: &Scene, segment: usize, recipe: &str, is_flipped: bool, is_predicted: bool) -> Result<Errand, Refusal> {
+    let spec = &scene::document::read_assignment(recipe)?;
+    let [source, target] = scene.way_at(segment)?;
+    let sections = &scene::group_levels(&scene.groups, source.agent_count());
+    let question = Question { source, target, spec, sections, is_flipped, is_predicted };
+    Ok(Errand::Assignment(assignment::Job::new(&question)?))
+}
+
+pub fn affinity(scene: &Scene, keyframe: usize, agents: &[u32], metric: &str, times: f64) -> Result<Errand, Refusal> {
+    let metric = if metric == "manhattan" { Metric::Manhattan } else { Metric::Euclidean };
+    let [source, target] = scene.way_at(keyframe)?;
+    Ok(Errand::Affinity(AffinityJob::new(source, target, agents, metric, Preference::OfMedian(times))))
 }

@@ -14,7 +14,7 @@ use eigenform::scene::Scene;
 use eigenform::scene::recording::Recording;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use desk::{Refusal, encode};
+use desk::{Errand, Refusal, encode};
 
 /// One engine: a scene at hand, formations by the page's numbers, caches, and a job a segment under work.
 #[wasm_bindgen]
@@ -31,6 +31,7 @@ pub struct Engine {
     salvage: Option<SalvageJob>,
     salvaged: Option<Box<Salvage>>,
     recording: Option<Recording>,
+    errand: Option<Errand>,
 }
 
 #[wasm_bindgen]
@@ -221,6 +222,28 @@ impl Engine {
     pub fn propose_groups(&mut self, keyframe: usize, agents: &[u32], way: &str, amount: f64) -> Result<String, Refusal> {
         let graph = self.graph(keyframe)?;
         Ok(desk::groups(at_hand(self.scene.as_ref()), keyframe, &graph, agents, desk::way(way, amount)))
+    }
+
+    /// Sets out to find who goes where between the ends of a segment, as `recipe` (JSON) says; takes the place of any other errand.
+    pub fn begin_assignment(&mut self, segment: usize, recipe: &str, is_flipped: bool, is_predicted: bool) -> Result<(), Refusal> {
+        self.errand = Some(desk::assignment(at_hand(self.scene.as_ref()), segment, recipe, is_flipped, is_predicted)?);
+        Ok(())
+    }
+
+    /// Sets out to find who keeps together from a keyframe to the next, at `times` the usual preference.
+    pub fn begin_affinity(&mut self, keyframe: usize, agents: &[u32], metric: &str, times: f64) -> Result<(), Refusal> {
+        self.errand = Some(desk::affinity(at_hand(self.scene.as_ref()), keyframe, agents, metric, times)?);
+        Ok(())
+    }
+
+    /// Goes on with the errand for a while; answers how far it is, 1 when its result can be read.
+    pub fn step_errand(&mut self) -> f64 {
+        self.errand.as_mut().map_or(1.0, Errand::step)
+    }
+
+    /// JSON, once: of an assignment the slot of each agent, of affinity the groups.
+    pub fn errand_result(&mut self) -> String {
+        self.errand.take().expect("an errand is done before it is read").result()
     }
 
     /// The slot of each agent, least total squared distance; x, y an agent.

@@ -1,7 +1,7 @@
 //! Writes the page's types from the engine's.
 
 use eigenform::text::json;
-use eigenform::{adjacency, choice, obstacle, scene};
+use eigenform::{adjacency, assignment, choice, obstacle, scene};
 use ts_rs::TS;
 
 /// The TypeScript of every type that crosses the seam, in one file.
@@ -18,6 +18,8 @@ pub fn typescript() -> String {
         adjacency::AdjacencySpec::decl(),
         adjacency::Base::decl(),
         adjacency::Weights::decl(),
+        assignment::AssignmentSpec::decl(),
+        assignment::Cost::decl(),
         scene::Keyframe::decl(),
         scene::Segment::decl(),
         scene::TransitionSpec::decl(),

@@ -27,6 +27,7 @@ export const DEFAULT_SEGMENT: Segment = {
   hierarchy: false,
   nodes: [],
   crowd: CROWD_DEFAULTS,
+  assignment: null,
 };
 
 export function keyframeAt(time: number, positions: Formation): Keyframe {

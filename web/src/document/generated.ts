@@ -172,6 +172,26 @@ export type Base = "delaunay" | "none";
 
 export type Weights = "inverse" | "unit";
 
+export type AssignmentSpec = { 
+/**
+ * What is least in sum.
+ */
+cost: Cost, 
+/**
+ * 0–1: how much the way counts in least effort, beside how densely agents stand at both ends.
+ */
+lambda: number, 
+/**
+ * Agents and the slots they have whatever it costs.
+ */
+locks: Array<[number, number]>, 
+/**
+ * Groups get regions of slots first, and their agents slots within them.
+ */
+keepGroups: boolean, };
+
+export type Cost = "squared" | "least-effort" | "euclidean" | "manhattan" | "keep";
+
 export type Keyframe = { 
 /**
  * At most 64 characters; empty: shown by number.
@@ -244,7 +264,11 @@ nodes: Array<NodeSpec>,
 /**
  * What the forces are told (crowd).
  */
-crowd: CrowdSpec, };
+crowd: CrowdSpec, 
+/**
+ * How it was found who goes where; the positions have it already.
+ */
+assignment: AssignmentSpec | null, };
 
 export type CrowdSpec = { 
 /**

@@ -97,7 +97,7 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
         const { scene, selection } = here(document);
         const segment = selection.kind === "transition" ? mainTrack(scene).segments[selection.index] : undefined;
         if (!segment) return;
-        const { kind: _, chosen: __, ...options } = segment;
+        const { kind: _, chosen: __, assignment: ___, ...options } = segment;
         document.perform(setAllTransitions(options));
       },
     },

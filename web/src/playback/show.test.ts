@@ -23,6 +23,7 @@ function segment(timing: Timing): Segment {
     hierarchy: false,
     nodes: [],
     crowd: CROWD_DEFAULTS,
+    assignment: null,
   };
 }
 

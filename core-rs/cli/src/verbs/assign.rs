@@ -2,14 +2,20 @@
 
 use std::fmt::Write as _;
 
-use eigenform::assignment::squared;
+use eigenform::assignment::{AssignmentSpec, Cost, DEFAULT_LAMBDA, Question, assign, check_locks, cost_of};
 use eigenform::error::Error;
-use eigenform::scene::Opened;
+use eigenform::scene::{Opened, Scene, group_levels, limits};
 use serde::Serialize;
 
 use crate::arguments::Assign;
 use crate::failure::Failure;
+use crate::input::Words;
 use crate::{input, output};
+
+const COSTS: Words<Cost> = (
+    &["squared", "least-effort", "euclidean", "manhattan", "keep"],
+    &[Cost::Squared, Cost::LeastEffort, Cost::Euclidean, Cost::Manhattan, Cost::Keep],
+);
 
 #[derive(Serialize)]
 struct Report<'a> {
@@ -18,32 +24,38 @@ struct Report<'a> {
 }
 
 pub fn run(arguments: &Assign) -> Result<Vec<String>, Failure> {
-    check_cost(arguments)?;
     let Opened { scene, notes, .. } = input::read(&arguments.source)?;
-    let source = input::formation(&scene, arguments.from, "--from")?;
-    let target = input::formation(&scene, arguments.to, "--to")?;
-    let assignment = squared(source, target);
-    let (from, to) = (source.places(), target.places());
-    let cost = assignment.total(|agent, slot| from.at(agent).distance_squared(to.at(slot)));
-    let report = Report { assignment: assignment.targets(), cost };
+    let spec = spec(arguments, &scene)?;
+    let question = Question {
+        source: input::formation(&scene, arguments.from, "--from")?,
+        target: input::formation(&scene, arguments.to, "--to")?,
+        spec: &spec,
+        sections: &group_levels(&scene.groups, scene.main_track().agents.len()),
+        is_flipped: arguments.flip,
+        is_predicted: arguments.predict,
+    };
+    let assignment = assign(&question)?;
+    let report = Report { assignment: assignment.targets(), cost: cost_of(&question, &assignment) };
     let json = || serde_json::to_string(&report).expect("numbers are JSON");
     output::print(&if arguments.json { json() } else { lines(&report) })?;
     Ok(notes)
 }
 
-fn check_cost(arguments: &Assign) -> Result<(), Failure> {
-    let supported = "squared".to_owned();
-    if arguments.cost != supported {
-        let (value, place) = (format!("{:?}", arguments.cost), "--cost".to_owned());
-        return Err(Error::Unsupported { value, supported, place }.into());
+fn spec(arguments: &Assign, scene: &Scene) -> Result<AssignmentSpec, Failure> {
+    let cost = input::word(&arguments.cost, &COSTS, "--cost")?;
+    let lambda = arguments.lambda.unwrap_or(DEFAULT_LAMBDA);
+    let (low, high) = limits::LAMBDA.into_inner();
+    if !limits::LAMBDA.contains(&lambda) {
+        return Err(Error::OutOfRange { value: lambda, low, high, place: "--lambda".to_owned() }.into());
     }
-    match arguments.lambda {
-        Some(lambda) => {
-            let supported = "the cost squared, which has no such weight,".to_owned();
-            Err(Error::Unsupported { value: lambda.to_string(), supported, place: "--lambda".to_owned() }.into())
-        }
-        None => Ok(()),
-    }
+    let locks = arguments.lock.iter().map(|typed| lock(typed)).collect::<Result<Vec<_>, _>>()?;
+    check_locks(&locks, scene.main_track().agents.len(), |index| format!("--lock {}", arguments.lock[index]))?;
+    Ok(AssignmentSpec { cost, lambda, locks, keep_groups: arguments.keep_groups })
+}
+
+fn lock(typed: &str) -> Result<(u32, u32), Failure> {
+    let pair = typed.split_once(':').and_then(|(agent, slot)| Some((agent.trim().parse().ok()?, slot.trim().parse().ok()?)));
+    pair.ok_or_else(|| Failure::usage(format!("{typed:?} is no lock; it is an agent and its place, such as 3:17"), "--lock"))
 }
 
 fn lines(report: &Report<'_>) -> String {

@@ -4,6 +4,7 @@ pub mod assign;
 pub mod check;
 pub mod compare;
 pub mod convert;
+pub mod groups;
 pub mod link;
 pub mod measure;
 pub mod modes;

@@ -1,81 +1,137 @@
 //! Costs that are computed when they are asked for.
 
-use glam::DVec2;
+use glam::DVec3;
 
 /// What it costs each source to take each target; finite.
 pub(super) trait Costs {
-    /// How many sources, and how many targets.
-    fn agent_count(&self) -> usize;
+    /// How many sources.
+    fn source_count(&self) -> usize;
 
-    /// The cost of one pair.
-    fn between(&self, source: usize, target: usize) -> f64;
+    /// The costs of one source, by target: the inner loop of everything.
+    fn row_into(&self, source: usize, row: &mut [f64]);
 
-    /// The costs of one source, by target: the inner loop of everything, so its form decides the speed.
-    fn row(&self, source: usize) -> impl Iterator<Item = f64>;
+    /// Sources of one kind have the same costs.
+    fn kind(&self, source: usize) -> usize {
+        source
+    }
 }
 
 /// Costs by any function.
 pub(super) struct ByFunction<F> {
-    pub(super) agent_count: usize,
+    pub(super) source_count: usize,
     pub(super) cost: F,
 }
 
 impl<F: Fn(usize, usize) -> f64> Costs for ByFunction<F> {
-    fn agent_count(&self) -> usize {
-        self.agent_count
+    fn source_count(&self) -> usize {
+        self.source_count
     }
 
-    fn between(&self, source: usize, target: usize) -> f64 {
-        (self.cost)(source, target)
-    }
-
-    fn row(&self, source: usize) -> impl Iterator<Item = f64> {
-        (0..self.agent_count).map(move |target| (self.cost)(source, target))
+    fn row_into(&self, source: usize, row: &mut [f64]) {
+        for (target, out) in row.iter_mut().enumerate() {
+            *out = (self.cost)(source, target);
+        }
     }
 }
 
-/// Squared distances. The targets' coordinates lie apart, so that the inner loop becomes vector instructions.
-pub(super) struct SquaredDistances {
-    sources: Vec<DVec2>,
-    target_x: Vec<f64>,
-    target_y: Vec<f64>,
+/// What a way costs by its length along each axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Measure {
+    Squared,
+    Euclidean,
+    Manhattan,
 }
 
-impl SquaredDistances {
-    /// As many sources as targets.
-    pub(super) fn new(sources: Vec<DVec2>, targets: &[DVec2]) -> Self {
-        assert_eq!(sources.len(), targets.len(), "as many sources as targets");
-        let (target_x, target_y) = targets.iter().map(|target| (target.x, target.y)).unzip();
-        Self { sources, target_x, target_y }
+/// Costs of ways between points, an axis at a time: coordinates lie apart, so that the inner loop becomes vector instructions.
+#[derive(Clone)]
+pub(super) struct Ways {
+    measure: Measure,
+    source_count: usize,
+    axes: Vec<Axis>,
+    effort: Option<Effort>,
+    /// By source, where sources are alike; empty where none are.
+    kinds: Vec<u32>,
+}
+
+/// One coordinate of everybody.
+#[derive(Clone)]
+struct Axis {
+    sources: Vec<f64>,
+    targets: Vec<f64>,
+}
+
+/// The second term of least effort: how differently dense agents stand at both ends.
+#[derive(Clone)]
+struct Effort {
+    lambda: f64,
+    spacing: Axis,
+}
+
+impl Ways {
+    /// From each of `sources` to each of `targets`; the axis along which nobody moves is left out.
+    pub(super) fn new(measure: Measure, sources: &[DVec3], targets: &[DVec3]) -> Self {
+        let axis = |of: fn(&DVec3) -> f64| Axis { sources: sources.iter().map(of).collect(), targets: targets.iter().map(of).collect() };
+        let mut axes = vec![axis(|p| p.x), axis(|p| p.y), axis(|p| p.z)];
+        axes.retain(|axis| axis.sources.iter().chain(&axis.targets).any(|&at| at != axis.sources[0]));
+        Self { measure, source_count: sources.len(), axes, effort: None, kinds: vec![] }
+    }
+
+    /// λ times the way, and 1 − λ times the squared difference of the spacings.
+    pub(super) fn with_effort(mut self, lambda: f64, sources: Vec<f64>, targets: Vec<f64>) -> Self {
+        self.effort = Some(Effort { lambda, spacing: Axis { sources, targets } });
+        self
+    }
+
+    /// The same; sources of one kind stand at one point.
+    pub(super) fn with_kinds(mut self, kinds: Vec<u32>) -> Self {
+        self.kinds = kinds;
+        self
     }
 
     /// The problem of half of the sources and half of the targets.
     pub(super) fn halved(&self) -> Self {
-        Self { target_x: half_of(&self.target_x), target_y: half_of(&self.target_y), ..self.with_half_the_sources() }
+        self.with_half_the_sources().map_axes(|axis| Axis { targets: half_of(&axis.targets), ..axis })
     }
 
     /// The costs of half of the sources to all targets.
     pub(super) fn with_half_the_sources(&self) -> Self {
-        Self { sources: half_of(&self.sources), target_x: self.target_x.clone(), target_y: self.target_y.clone() }
+        let half = self.clone().map_axes(|axis| Axis { sources: half_of(&axis.sources), ..axis });
+        Self { source_count: self.source_count.div_ceil(2), kinds: half_of(&self.kinds), ..half }
+    }
+
+    fn map_axes(self, change: fn(Axis) -> Axis) -> Self {
+        let effort = self.effort.map(|Effort { lambda, spacing }| Effort { lambda, spacing: change(spacing) });
+        Self { axes: self.axes.into_iter().map(change).collect(), effort, ..self }
     }
 }
 
-impl Costs for SquaredDistances {
-    fn agent_count(&self) -> usize {
-        self.sources.len()
+impl Costs for Ways {
+    fn source_count(&self) -> usize {
+        self.source_count
     }
 
-    fn between(&self, source: usize, target: usize) -> f64 {
-        let away = self.sources[source] - DVec2::new(self.target_x[target], self.target_y[target]);
-        away.x * away.x + away.y * away.y
+    fn row_into(&self, source: usize, row: &mut [f64]) {
+        row.fill(0.0);
+        for Axis { sources, targets } in &self.axes {
+            let from = sources[source];
+            match self.measure {
+                Measure::Manhattan => row.iter_mut().zip(targets).for_each(|(out, to)| *out += (from - to).abs()),
+                _ => row.iter_mut().zip(targets).for_each(|(out, to)| *out += (from - to) * (from - to)),
+            }
+        }
+        if self.measure == Measure::Euclidean {
+            row.iter_mut().for_each(|out| *out = out.sqrt());
+        }
+        if let Some(Effort { lambda, spacing }) = &self.effort {
+            let from = spacing.sources[source];
+            for (out, to) in row.iter_mut().zip(&spacing.targets) {
+                *out = lambda * *out + (1.0 - lambda) * (from - to) * (from - to);
+            }
+        }
     }
 
-    fn row(&self, source: usize) -> impl Iterator<Item = f64> {
-        let DVec2 { x, y } = self.sources[source];
-        self.target_x.iter().zip(&self.target_y).map(move |(&target_x, &target_y)| {
-            let (away_x, away_y) = (x - target_x, y - target_y);
-            away_x * away_x + away_y * away_y
-        })
+    fn kind(&self, source: usize) -> usize {
+        self.kinds.get(source).map_or(source, |kind| *kind as usize)
     }
 }
 

@@ -5,12 +5,19 @@
 
 mod augment;
 mod costs;
-mod squared;
+mod guide;
+mod job;
+mod solver;
+mod spec;
 
-pub use squared::squared;
+pub use job::{Job, Question};
+pub use spec::{AssignmentSpec, Cost, DEFAULT_LAMBDA, check_locks};
 
 use augment::Search;
 use costs::ByFunction;
+
+use crate::error::Error;
+use crate::formation::Formation;
 
 /// A bijection from source slots to target slots.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,14 +58,51 @@ impl Assignment {
 ///
 /// Jonker and Volgenant, "A shortest augmenting path algorithm for dense and sparse linear assignment problems" (1987).
 pub fn solve(agent_count: usize, cost: impl Fn(usize, usize) -> f64) -> Assignment {
-    let costs = ByFunction { agent_count, cost };
+    let costs = ByFunction { source_count: agent_count, cost };
     let mut search = Search::new(&costs, vec![0.0; agent_count]);
-    search.reduce();
-    search.finish();
-    search.into_assignment()
+    search.reduce(&costs);
+    search.finish(&costs, usize::MAX);
+    Assignment::new(search.targets().to_vec()).expect("every source holds a target of its own")
 }
 
 /// The assignment with the greatest sum of `gain(source, target)`; else as [`solve`].
 pub fn maximize(agent_count: usize, gain: impl Fn(usize, usize) -> f64) -> Assignment {
     solve(agent_count, |source, target| -gain(source, target))
+}
+
+/// The assignment of the agents of `source` to the slots of `target` with the least sum of squared distances; else as [`solve`].
+///
+/// # Panics
+/// When the formations differ in number.
+pub fn squared(source: &Formation, target: &Formation) -> Assignment {
+    let spec = AssignmentSpec::default();
+    assign(&Question { source, target, spec: &spec, sections: &[], is_flipped: false, is_predicted: false }).expect("no lock")
+}
+
+/// The answer to a question at once.
+///
+/// # Panics
+/// When the formations differ in number.
+pub fn assign(question: &Question) -> Result<Assignment, Error> {
+    let mut job = Job::new(question)?;
+    while job.step() < 1.0 {}
+    Ok(job.into_assignment())
+}
+
+/// What an assignment costs, in the unit of its cost: square meters, or meters of Euclidean and Manhattan. Of [`Cost::Keep`] it is the
+/// sum of squared distances.
+pub fn cost_of(question: &Question, assignment: &Assignment) -> f64 {
+    let Question { source, target, spec, .. } = *question;
+    let (from, to) = (source.places(), target.places());
+    let way = |agent: usize, slot: usize| from.at(agent) - to.at(slot);
+    match spec.cost {
+        Cost::Squared | Cost::Keep => assignment.total(|agent, slot| way(agent, slot).length_squared()),
+        Cost::Euclidean => assignment.total(|agent, slot| way(agent, slot).length()),
+        Cost::Manhattan => assignment.total(|agent, slot| way(agent, slot).abs().element_sum()),
+        Cost::LeastEffort => {
+            let (from, to) = (job::spacings(source), job::spacings(target));
+            let change = |agent: usize, slot: usize| (from[agent] - to[slot]).powi(2);
+            assignment.total(|agent, slot| spec.lambda * way(agent, slot).length_squared() + (1.0 - spec.lambda) * change(agent, slot))
+        }
+    }
 }

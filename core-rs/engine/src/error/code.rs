@@ -25,6 +25,7 @@ impl Error {
             Self::WrongCount { .. } => "wrong-count",
             Self::TooManyFrames { .. } => "too-many-frames",
             Self::NoKeyframes => "no-keyframes",
+            Self::OneKeyframe => "one-keyframe",
             Self::TimesDoNotRise { .. } => "times-do-not-rise",
             Self::UnknownAgent { .. } => "unknown-agent",
             Self::SelfTie { .. } => "self-tie",
@@ -36,6 +37,8 @@ impl Error {
             Self::UnknownObstacle { .. } => "unknown-obstacle",
             Self::UnknownGroup { .. } => "unknown-group",
             Self::RepeatedNode { .. } => "repeated-node",
+            Self::TwoSlots { .. } | Self::SlotTaken { .. } => "contradictory-locks",
+            Self::NothingToPredictFrom => "nothing-to-predict-from",
             Self::NoArea { .. } => "no-area",
             Self::SelfCrossing { .. } => "self-crossing",
             Self::TooManyTies { .. } => "too-many-ties",
@@ -66,7 +69,8 @@ impl Error {
             Self::NotText { byte } => format!("byte {byte}"),
             Self::NotAScene { .. } => "format".to_owned(),
             Self::NewerVersion { .. } => "version".to_owned(),
-            Self::NoKeyframes => "keyframes".to_owned(),
+            Self::NoKeyframes | Self::OneKeyframe => "keyframes".to_owned(),
+            Self::NothingToPredictFrom => "locks".to_owned(),
             Self::TooManyTies { keyframe, .. } => format!("keyframes[{keyframe}]"),
             Self::Json(error) => error.place(),
             Self::Table(error) => error.place(),
@@ -92,6 +96,8 @@ impl Error {
             | Self::UnknownGroup { place }
             | Self::RepeatedNode { place, .. }
             | Self::SelfCrossing { place, .. }
+            | Self::TwoSlots { place, .. }
+            | Self::SlotTaken { place, .. }
             | Self::NoArea { place } => place.clone(),
         }
     }
@@ -109,6 +115,7 @@ fn too_many(what: Counted) -> &'static str {
         Counted::Segments => "too-many-segments",
         Counted::Nodes => "too-many-nodes",
         Counted::Levels => "groups-too-deep",
+        Counted::Locks => "too-many-locks",
         Counted::Obstacles => "too-many-obstacles",
         Counted::Corners => "too-many-corners",
         Counted::Rows => "too-many-rows",

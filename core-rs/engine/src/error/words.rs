@@ -27,6 +27,8 @@ pub enum Counted {
     Nodes,
     /// Levels of the way to a group.
     Levels,
+    /// Locks of one assignment.
+    Locks,
     /// Obstacles of the scene.
     Obstacles,
     /// Corners of one polygon.
@@ -49,6 +51,7 @@ impl Display for Counted {
             Self::Segments => "segments",
             Self::Nodes => "groups with a method of their own",
             Self::Levels => "levels of groups",
+            Self::Locks => "locks",
             Self::Obstacles => "obstacles",
             Self::Corners => "corners of a polygon",
             Self::Rows => "rows",

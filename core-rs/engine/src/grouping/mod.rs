@@ -2,6 +2,7 @@
 //!
 //! Groups are sets of agent indices. This room knows graphs and positions, never names, colors or scenes.
 
+mod affinity;
 mod connected;
 mod fiedler;
 mod graph;
@@ -10,6 +11,7 @@ mod propose;
 mod split;
 mod tree;
 
+pub use affinity::{AffinityJob, MOST_SAMPLED, Metric, Preference};
 pub use propose::{MOST_LEVELS, MOST_PARTS, Way, propose};
 pub use tree::{Node, Part, Tree};
 

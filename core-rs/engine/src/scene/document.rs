@@ -10,6 +10,7 @@ use serde::{Serialize, Serializer};
 
 use super::Scene;
 use super::json::read_rest;
+use crate::assignment::AssignmentSpec;
 use crate::choice::Choice;
 use crate::error::Error;
 use crate::formation::Formation;
@@ -29,6 +30,11 @@ pub fn read(rest: &str, formations: Vec<Arc<Formation>>) -> Result<Scene, Error>
 /// Methods with their options as the page holds them, one a segment or null.
 pub fn read_choices(text: &str) -> Result<Vec<Option<Choice>>, Error> {
     super::json::read_choices(text)
+}
+
+/// How an assignment is to be found, as the page holds it.
+pub fn read_assignment(text: &str) -> Result<AssignmentSpec, Error> {
+    super::json::read_assignment(text)
 }
 
 /// A formation as the page reads it.

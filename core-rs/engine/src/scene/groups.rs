@@ -16,6 +16,25 @@ pub fn group_ties(groups: &[Group]) -> Vec<GroupTie> {
     ties
 }
 
+/// By level from the outermost in: the group of each agent, numbered throughout the tree; none for agents in no group so deep.
+pub fn group_levels(groups: &[Group], agent_count: usize) -> Vec<Vec<Option<u32>>> {
+    fn fill(groups: &[Group], level: usize, count: &mut u32, levels: &mut Vec<Vec<Option<u32>>>, agent_count: usize) {
+        for group in groups {
+            if level == levels.len() {
+                levels.push(vec![None; agent_count]);
+            }
+            for agent in group.set() {
+                levels[level][agent as usize] = Some(*count);
+            }
+            *count += 1;
+            fill(&group.children, level + 1, count, levels, agent_count);
+        }
+    }
+    let mut levels = Vec::new();
+    fill(groups, 0, &mut 0, &mut levels, agent_count);
+    levels
+}
+
 impl Group {
     /// Its members and its children's sets: ascending, each agent once.
     pub fn set(&self) -> Vec<u32> {
@@ -40,5 +59,15 @@ mod tests {
         let band = Group { members: vec![9, 1], tie_weight: Some(10.0), children: vec![brass, drums], ..Group::default() };
         let expected = [GroupTie { members: vec![1, 3, 4, 7, 9], factor: 10.0 }, GroupTie { members: vec![3, 4], factor: 2.0 }];
         assert_eq!(group_ties(&[band]), expected);
+    }
+
+    #[test]
+    fn levels_go_from_the_outermost_in() {
+        let inner = Group { members: vec![2], ..Group::default() };
+        let outer = Group { members: vec![0], children: vec![inner], ..Group::default() };
+        let other = Group { members: vec![3], ..Group::default() };
+        let levels = [vec![Some(0), None, Some(0), Some(2)], vec![None, None, Some(1), None]];
+        assert_eq!(group_levels(&[outer, other], 4), levels);
+        assert!(group_levels(&[], 4).is_empty());
     }
 }

@@ -13,5 +13,5 @@ mod unescape;
 mod value;
 mod write;
 
-pub use read::{read_choices, read_json, read_rest};
+pub use read::{read_assignment, read_choices, read_json, read_rest};
 pub use write::write_json;

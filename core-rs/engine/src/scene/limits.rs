@@ -112,6 +112,9 @@ pub const CROWD: [(&str, RangeInclusive<f64>); 8] = [
 /// K, sectors of a full turn.
 pub const SECTORS: RangeInclusive<f64> = 1.0..=64.0;
 
+/// λ of least effort.
+pub const LAMBDA: RangeInclusive<f64> = 0.0..=1.0;
+
 /// Groups with a method of their own in one segment: all of them, and the root.
 pub const NODES: usize = GROUPS + 1;
 

@@ -28,7 +28,7 @@ pub use cautions::cautions;
 pub use crowd::CrowdSpec;
 pub use csv::{Read, Written, read_csv, write_csv};
 pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS, DEFAULT_TENSION};
-pub use groups::group_ties;
+pub use groups::{group_levels, group_ties};
 pub use json::{read_json, write_json};
 pub use open::{Opened, Source, open, open_bytes};
 pub use validate::validate;
@@ -36,6 +36,7 @@ pub use validate::validate;
 use serde::{Deserialize, Serialize};
 
 use crate::adjacency::AdjacencySpec;
+use crate::assignment::AssignmentSpec;
 use crate::choice::{Alignment, Blend, Choice, DEFAULT_SHARING, Join, MethodName, Order, Timing};
 use crate::formation::Formation;
 use crate::obstacle::ObstacleShape;
@@ -244,6 +245,8 @@ pub struct TransitionSpec {
     pub nodes: Vec<NodeSpec>,
     /// What the forces are told (crowd).
     pub crowd: CrowdSpec,
+    /// How it was found who goes where; the positions have it already.
+    pub assignment: Option<AssignmentSpec>,
 }
 
 /// How one group moves within a hierarchy.
@@ -284,6 +287,7 @@ impl Default for TransitionSpec {
             hierarchy: false,
             nodes: Vec::new(),
             crowd: CrowdSpec::default(),
+            assignment: None,
         }
     }
 }

@@ -3,6 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::{Scene, Track};
+use crate::error::Error;
+use crate::formation::Formation;
 
 /// Round-off allowed when a duration is a whole number of frames.
 const FRAME_TOLERANCE: f64 = 1e-9;
@@ -11,6 +13,16 @@ impl Scene {
     /// The track of all agents: version 1 has no other.
     pub fn main_track(&self) -> &Track {
         &self.tracks[0]
+    }
+
+    /// A keyframe's formation and the next one; of the last keyframe the one before and itself.
+    pub fn way_at(&self, keyframe: usize) -> Result<[&Formation; 2], Error> {
+        let keyframes = &self.main_track().keyframes;
+        let from = keyframe.min(keyframes.len().saturating_sub(2));
+        match &keyframes[from..] {
+            [source, target, ..] => Ok([&source.positions, &target.positions]),
+            _ => Err(Error::OneKeyframe),
+        }
     }
 
     /// When the last hold ends, seconds.

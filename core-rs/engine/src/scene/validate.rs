@@ -11,7 +11,8 @@ use std::ops::RangeInclusive;
 use super::limits;
 use super::place::Place;
 use super::unsupported;
-use super::{Agent, CrowdSpec, Group, Keyframe, Scene, Segment, Track};
+use super::{Agent, CrowdSpec, Keyframe, Scene, Segment, Track};
+use crate::assignment::check_locks;
 use crate::choice::MethodName;
 use crate::error::{Counted, Error};
 use crate::text::json;
@@ -37,7 +38,7 @@ pub fn validate(scene: &Scene) -> Result<(), Error> {
     obstacles::check(&scene.obstacles)?;
     ties::check(scene)?;
     for (index, segment) in track.segments.iter().enumerate() {
-        check_segment(segment, &scene.groups, &top.field("segments").item(index))?;
+        check_segment(segment, scene, &top.field("segments").item(index))?;
     }
     unsupported::check(scene)
 }
@@ -161,7 +162,7 @@ fn frames(scene: &Scene) -> Result<(), Error> {
     Err(Error::TooManyFrames { agent_count, frames, limit: limits::SAMPLES, fitting_rate })
 }
 
-fn check_segment(segment: &Segment, groups: &[Group], place: &Place) -> Result<(), Error> {
+fn check_segment(segment: &Segment, scene: &Scene, place: &Place) -> Result<(), Error> {
     let Segment::Transition(transition) = segment;
     within(transition.sharing, &limits::SHARING, place.field("sharing"))?;
     if let Some(chosen) = transition.chosen {
@@ -170,7 +171,12 @@ fn check_segment(segment: &Segment, groups: &[Group], place: &Place) -> Result<(
         certain(chosen.method, place.field("method"))?;
     }
     check_crowd(transition.crowd, &place.field("crowd"))?;
-    nodes::check(&transition.nodes, groups, &place.field("nodes"))
+    if let Some(spec) = &transition.assignment {
+        let place = place.field("assignment");
+        within(spec.lambda, &limits::LAMBDA, place.field("lambda"))?;
+        check_locks(&spec.locks, scene.main_track().agents.len(), |index| place.field("locks").item(index).to_string())?;
+    }
+    nodes::check(&transition.nodes, &scene.groups, &place.field("nodes"))
 }
 
 fn check_crowd(mut crowd: CrowdSpec, place: &Place) -> Result<(), Error> {

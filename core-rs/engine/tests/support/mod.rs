@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eigenform::adjacency::{AdjacencySpec, Base, Weights};
+use eigenform::assignment::{AssignmentSpec, Cost};
 use eigenform::choice::{Alignment, Blend, Choice, Join, MethodName, Order, Timing};
 use eigenform::error::Error;
 use eigenform::formation::Formation;
@@ -133,7 +134,7 @@ fn tempo() -> impl Strategy<Value = Tempo> {
 
 fn track(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strategy<Value = Track> {
     let agents = prop_oneof![Just(vec![Agent::default(); counts.agents]), vec(agent(), counts.agents)];
-    (agents, keyframes(counts, keyframe_count, is_spatial), vec(segment(), keyframe_count - 1))
+    (agents, keyframes(counts, keyframe_count, is_spatial), vec(segment(counts.agents), keyframe_count - 1))
         .prop_map(|(agents, keyframes, segments)| Track { agents: Arc::new(agents), keyframes, segments })
 }
 
@@ -176,14 +177,14 @@ fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![(-400_i32..400).prop_map(|step| f64::from(step) / 8.0), -50.0..50.0_f64, -1e5..=1e5_f64]
 }
 
-fn segment() -> impl Strategy<Value = Segment> {
+fn segment(agent_count: usize) -> impl Strategy<Value = Segment> {
     let method = prop_oneof![4 => certain_method(), 1 => Just(MethodName::Auto), 1 => Just(MethodName::Crowd)];
     let timing = prop::sample::select(vec![Timing::Linear, Timing::Smooth, Timing::Even]);
     let basics = (method, option::of(choice()), order(), alignment(), plain_or(0.5, 0.0..=1.0), any::<bool>(), timing);
-    let edits = (any::<bool>(), any::<bool>(), vec(node(), 0..4), crowd());
-    let transition = (basics, edits).prop_map(|(basics, (avoidance, hierarchy, nodes, crowd))| {
+    let edits = (any::<bool>(), any::<bool>(), vec(node(), 0..4), crowd(), option::weighted(0.3, assignment(agent_count)));
+    let transition = (basics, edits).prop_map(|(basics, (avoidance, hierarchy, nodes, crowd, assignment))| {
         let (method, chosen, order, alignment, sharing, keep_size, timing) = basics;
-        TransitionSpec { method, chosen, order, alignment, sharing, keep_size, timing, avoidance, hierarchy, nodes, crowd }
+        TransitionSpec { method, chosen, order, alignment, sharing, keep_size, timing, avoidance, hierarchy, nodes, crowd, assignment }
     });
     prop_oneof![Just(TransitionSpec::default()), transition].prop_map(Segment::Transition)
 }
@@ -197,6 +198,19 @@ fn crowd() -> impl Strategy<Value = CrowdSpec> {
             CrowdSpec { guide, direction_feedback, speed_feedback, strength, reach, group_strength, fluctuation, sectors, ..usual }
         });
     prop_oneof![Just(usual), crowd]
+}
+
+fn assignment(agent_count: usize) -> impl Strategy<Value = AssignmentSpec> {
+    let cost = prop::sample::select(vec![Cost::Squared, Cost::LeastEffort, Cost::Euclidean, Cost::Manhattan, Cost::Keep]);
+    let everybody = Just((0..agent_count as u32).collect::<Vec<_>>());
+    let locks = (everybody.clone().prop_shuffle(), everybody.prop_shuffle(), 0..=agent_count)
+        .prop_map(|(agents, slots, count)| agents.into_iter().zip(slots).take(count).collect());
+    (cost, plain_or(0.9, 0.0..=1.0), locks, any::<bool>()).prop_map(|(cost, lambda, locks, keep_groups)| AssignmentSpec {
+        cost,
+        lambda,
+        locks,
+        keep_groups,
+    })
 }
 
 fn node() -> impl Strategy<Value = NodeSpec> {

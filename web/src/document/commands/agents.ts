@@ -5,7 +5,7 @@ import { clampCoordinate, clipText, LIMITS, withinLimits } from "../limits";
 import { type Agent, type Group, mainTrack, type Scene } from "../scene";
 import type { Command } from "../store";
 import { followNodes } from "./nodes";
-import { dropFromAdjacency, dropFromGroups, pathAfterDrop } from "./reindex";
+import { dropFromAdjacency, dropFromGroups, dropFromLocks, pathAfterDrop } from "./reindex";
 
 /** Move some agents at one keyframe, meters. */
 export function moveAgents(keyframe: number, agents: ReadonlySet<number>, by: Point, label = "Move agents"): Command {
@@ -102,6 +102,7 @@ export function deleteAgents(agents: ReadonlySet<number>): Command {
       const places = new Map(kept.map((agent, place) => [agent, place]));
       const next = updateTrack(scene, (was) => ({
         ...was,
+        segments: was.segments.map((segment) => dropFromLocks(segment, places)),
         agents: kept.flatMap((agent) => was.agents[agent] ?? []),
         keyframes: was.keyframes.map((keyframe) => ({
           ...keyframe,

@@ -92,11 +92,12 @@ export function reorderKeyframe(from: number, to: number): Command {
 function insert(scene: Scene, index: number, keyframe: Keyframe, taken: Choice | null): Scene {
   if (keyframe.positions.agentCount !== mainTrack(scene).agents.length) return scene;
   const next = updateTrack(scene, (track: Track) => {
-    // A transition that is split keeps its options on both sides; a new one after the end follows the last.
+    // A transition that is split keeps its options on both sides; a new one after the end follows the last. Who goes where was
+    // found for other ends.
     const split = track.segments[index - 1];
     const template = split ?? track.segments.at(-1) ?? DEFAULT_SEGMENT;
     const chosen = split?.method === "auto" ? taken : null;
-    const parts = Array.from({ length: split ? 2 : 1 }, () => ({ ...template, chosen }));
+    const parts = Array.from({ length: split ? 2 : 1 }, () => ({ ...template, chosen, assignment: null }));
     return {
       ...track,
       keyframes: track.keyframes.toSpliced(index, 0, keyframe),

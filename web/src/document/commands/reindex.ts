@@ -1,4 +1,4 @@
-import type { AdjacencySpec, Group, GroupPath } from "../scene";
+import type { AdjacencySpec, Group, GroupPath, Segment } from "../scene";
 
 /** Groups of the agents that stay, under their new indices; a group that loses its last agent goes. */
 export function dropFromGroups(groups: readonly Group[], places: ReadonlyMap<number, number>): readonly Group[] {
@@ -42,4 +42,15 @@ export function dropFromAdjacency(adjacency: AdjacencySpec, places: ReadonlyMap<
       return place === undefined ? [] : [[place, obstacle, factor] as const];
     }),
   };
+}
+
+/** A transition whose locks are those of the agents that stay, under their new indices. */
+export function dropFromLocks(segment: Segment, places: ReadonlyMap<number, number>): Segment {
+  const { assignment } = segment;
+  if (!assignment || assignment.locks.length === 0) return segment;
+  const locks = assignment.locks.flatMap(([agent, slot]) => {
+    const [p, q] = [places.get(agent), places.get(slot)];
+    return p === undefined || q === undefined ? [] : [[p, q] as const];
+  });
+  return { ...segment, assignment: { ...assignment, locks } };
 }

@@ -7,6 +7,7 @@ use super::fields::{Fields, Only};
 use super::places::{entry, formation, obstacle};
 use super::value::Value;
 use crate::adjacency::AdjacencySpec;
+use crate::assignment::{AssignmentSpec, DEFAULT_LAMBDA};
 use crate::choice::{Blend, Choice, DEFAULT_SHARING};
 use crate::error::{Counted, Error};
 use crate::formation::Formation;
@@ -58,6 +59,7 @@ const SEGMENT: &[&str] = &[
     "assignment",
     "crowd",
 ];
+const ASSIGNMENT: &[&str] = &["cost", "lambda", "locks", "keepGroups"];
 const CHOICE: &[&str] = &["method", "order", "alignment", "sharing"];
 const NODE: &[&str] = &["group", "method", "blend"];
 const BLEND: &[&str] = &["method", "amount"];
@@ -280,9 +282,7 @@ fn agent(value: Value) -> Result<Agent, Error> {
 fn segment(value: Value) -> Result<Segment, Error> {
     let fields = value.object(SEGMENT)?;
     fields.only("kind", &Only::Word("transition", KINDS))?;
-    for name in ["path", "assignment"] {
-        fields.only(name, &Only::Null)?;
-    }
+    fields.only("path", &Only::Null)?;
     Ok(Segment::Transition(TransitionSpec {
         method: fields.word("method", &[])?,
         chosen: fields.optional("chosen", choice)?,
@@ -295,7 +295,28 @@ fn segment(value: Value) -> Result<Segment, Error> {
         hierarchy: fields.flag("hierarchy")?,
         nodes: fields.list("nodes", limits::NODES, Counted::Nodes, node)?,
         crowd: fields.optional("crowd", crowd)?.unwrap_or_default(),
+        assignment: fields.optional("assignment", assignment)?,
     }))
+}
+
+/// How an assignment is found.
+pub fn read_assignment(text: &str) -> Result<AssignmentSpec, Error> {
+    assignment(Value::document(text)?)
+}
+
+fn assignment(value: Value) -> Result<AssignmentSpec, Error> {
+    let fields = value.object(ASSIGNMENT)?;
+    Ok(AssignmentSpec {
+        cost: fields.word("cost", &[])?,
+        lambda: fields.number("lambda", DEFAULT_LAMBDA)?,
+        locks: fields.list("locks", limits::AGENTS, Counted::Locks, lock)?,
+        keep_groups: fields.flag("keepGroups")?,
+    })
+}
+
+fn lock(value: Value) -> Result<(u32, u32), Error> {
+    let [agent, slot] = value.exactly("[agent, slot], two indices")?;
+    Ok((entry(&value, agent).whole()?, entry(&value, slot).whole()?))
 }
 
 fn node(value: Value) -> Result<NodeSpec, Error> {

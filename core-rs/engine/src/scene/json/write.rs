@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::crowd::write_crowd;
 use super::layout::Layout;
 use crate::adjacency::AdjacencySpec;
+use crate::assignment::AssignmentSpec;
 use crate::choice::Choice;
 use crate::formation::Formation;
 use crate::obstacle::ObstacleShape;
@@ -185,6 +186,20 @@ fn transition_fields(out: &mut Layout, transition: &TransitionSpec) {
     if transition.crowd != default.crowd {
         write_crowd(out.key("crowd"), &transition.crowd);
     }
+    if let Some(spec) = &transition.assignment {
+        assignment(out.key("assignment"), spec);
+    }
+}
+
+fn assignment(out: &mut Layout, spec: &AssignmentSpec) {
+    out.object_line(|out| {
+        word(out, "cost", &spec.cost);
+        number(out, "lambda", spec.lambda, AssignmentSpec::default().lambda);
+        if !spec.locks.is_empty() {
+            out.key("locks").list_line(&spec.locks, |out, &(agent, slot)| numbers(out, &[f64::from(agent), f64::from(slot)]));
+        }
+        flag(out, "keepGroups", spec.keep_groups);
+    });
 }
 
 fn node(out: &mut Layout, node: &NodeSpec) {

@@ -10,6 +10,7 @@ use super::graph::{Pairs, code_count};
 use super::models::{Integer, Number};
 use super::positions::Formations;
 use super::range::Bit;
+use super::recipes::has_recipes;
 use super::route::Cell;
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Blend, Join, MethodName};
@@ -43,6 +44,7 @@ pub fn basics_of_segment(Segment::Transition(transition): &Segment) -> Segment {
         hierarchy: false,
         nodes: Vec::new(),
         crowd: CrowdSpec::default(),
+        assignment: None,
         ..*transition
     })
 }
@@ -71,7 +73,7 @@ impl Fields<'_> {
         }
         self.code_heights(cells, heights)?;
         let track = &mut scene.tracks[0];
-        let mut has_more = has_crowds(track);
+        let mut has_more = has_crowds(track) || has_recipes(track);
         self.coder.bit(&mut Bit::likely(false), &mut has_more);
         if has_more { self.code_crowds(track) } else { Ok(()) }
     }

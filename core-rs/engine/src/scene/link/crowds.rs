@@ -4,9 +4,10 @@
 
 use std::sync::Arc;
 
-use super::document::{Fields, METHODS, as_integer, newer};
+use super::document::{Fields, METHODS, as_integer};
 use super::models::Number;
 use super::range::Bit;
+use super::recipes::has_recipes;
 use crate::error::Error;
 use crate::scene::{Agent, CrowdSpec, Segment, Track};
 
@@ -31,10 +32,9 @@ impl Fields<'_> {
                 last = transition.crowd;
             }
         }
-        // Set by a later version that has more to say.
-        let mut has_more = false;
+        let mut has_more = has_recipes(track);
         self.coder.bit(&mut Bit::likely(false), &mut has_more);
-        if has_more { Err(newer()) } else { Ok(()) }
+        if has_more { self.code_recipes(track) } else { Ok(()) }
     }
 
     /// Agents are mostly alike: each says whether it is as fast as the one before.

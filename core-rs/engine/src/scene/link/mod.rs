@@ -11,6 +11,7 @@ mod models;
 mod names;
 mod positions;
 mod range;
+mod recipes;
 mod round;
 mod route;
 mod step;
