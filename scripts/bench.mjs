@@ -12,6 +12,8 @@ const PROMISES = {
   "eigenbasis 300": "≤ 4 × numpy",
   "eigenbasis 1260": "≤ 4 × numpy",
   "assignment 1260": "≤ 2 × scipy",
+  "assignment 1936": "≤ 2 × scipy",
+  "affinity of 1260": "≤ 5 s",
   "moved agent 60": "≤ 15 ms",
   "moved agent 300": "≤ 200 ms",
   "moved agent 25 auto": "≤ 30 ms",

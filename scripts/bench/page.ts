@@ -133,10 +133,28 @@ function crowd(agentCount: number, count: number): number[] {
   return whole(walked, count).map((time, run) => time - (own[run] ?? 0));
 }
 
+/** Groups of a strewn crowd that is strewn anew: nobody keeps together, the longest search there is. */
+function affinity(agentCount: number, count: number): number[] {
+  const scene = strewnShow(agentCount, 2, 10, "linear");
+  const everybody = Uint32Array.from({ length: agentCount }, (_, agent) => agent);
+  return runs(count, () => {
+    const engine = new Engine();
+    take(engine, new Ledger(), scene);
+    const time = timed(() => {
+      engine.begin_affinity(0, everybody, "euclidean", 1);
+      while (engine.step_errand() < 1);
+    });
+    engine.free();
+    return time;
+  });
+}
+
 const rows: Record<string, () => number[]> = {
   "eigenbasis 300": () => eigenbasis(300, 9),
   "eigenbasis 1260": () => eigenbasis(1260, 5),
   "assignment 1260": () => assignment(1260, 7),
+  "assignment 1936": () => assignment(1936, 5),
+  "affinity of 1260": () => affinity(1260, 3),
   "moved agent 60": () => movedAgent(show(60), 15),
   "moved agent 60, measured": () => movedAgent(show(60), 15, performAll),
   "moved agent 60, joined smoothly": () => movedAgent(smooth(show(60)), 15),

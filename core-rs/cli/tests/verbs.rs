@@ -245,7 +245,7 @@ fn groups_are_those_who_move_as_one() {
     let places = |t: f64| {
         let place = |agent: usize| {
             let (x, y) = ((agent / 2 % 2) as f64, (agent / 4) as f64);
-            if agent % 2 == 0 { json!([x, y + t]) } else { json!([x + 10.0 + t, y]) }
+            if agent.is_multiple_of(2) { json!([x, y + t]) } else { json!([x + 10.0 + t, y]) }
         };
         (0..8).map(place).collect::<Vec<_>>()
     };

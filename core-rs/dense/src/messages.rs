@@ -65,18 +65,6 @@ impl Messages {
             responsibility + availability(damping, self.availabilities[at], self.sums[own] - responsibility)
         })
     }
-
-    /// Whether everybody is drawn most to somebody of these.
-    pub fn are_settled_on(&self, leaders: &[bool]) -> bool {
-        let mut rows = self.responsibilities.chunks_exact(self.size).zip(self.availabilities.chunks_exact(self.size));
-        rows.all(|(responsibilities, availabilities)| {
-            let mut best = (f64::NEG_INFINITY, false);
-            for ((r, a), leads) in responsibilities.iter().zip(availabilities).zip(leaders) {
-                best = if r + a > best.0 { (r + a, *leads) } else { best };
-            }
-            best.1
-        })
-    }
 }
 
 fn availability(damping: f64, before: f64, now: f64) -> f64 {

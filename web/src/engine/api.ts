@@ -1,8 +1,9 @@
 import type { ReadonlySignal } from "@preact/signals";
 import type { Branch } from "../document/commands/propose";
 import type { Formation } from "../document/formation";
-import type { Choice, Scene } from "../document/scene";
+import type { AssignmentSpec, Choice, Scene } from "../document/scene";
 import type { SegmentMotion } from "../playback/motion";
+import type { AffinityRequest } from "./protocol";
 
 /** What the engine says of input it refuses, or of its own failure. */
 export interface EngineProblem {
@@ -197,6 +198,19 @@ export interface GroupingWay {
   readonly amount: number;
 }
 
+/** How far apart two agents are: as the crow flies, or along the axes. */
+export type Metric = "euclidean" | "manhattan";
+
+/** Who goes where in a transition, as a recipe says. */
+export interface AssignmentQuestion {
+  readonly segment: number;
+  readonly recipe: AssignmentSpec;
+  /** As if everybody stood mirrored end to end. */
+  readonly isFlipped: boolean;
+  /** As if everybody were carried as the locked agents are. */
+  readonly isPredicted: boolean;
+}
+
 /** Questions to the engine, each answered once. */
 export interface Engine {
   /** Any text: scene JSON, keyframe CSV or link. */
@@ -211,6 +225,20 @@ export interface Engine {
   assign(source: Formation, target: Formation): Promise<Uint32Array>;
   /** Groups of some agents by the ties of a keyframe: nobody is in two. */
   proposeGroups(scene: Scene, keyframe: number, agents: Uint32Array, way: GroupingWay): Promise<readonly Branch[]>;
+  /** By agent the slot, exactly; null when a later errand or a stop took its place. `tell` hears how far it is, 0..1. */
+  findPlaces(
+    scene: Scene,
+    question: AssignmentQuestion,
+    tell: (progress: number) => void,
+  ): Promise<readonly number[] | null>;
+  /** Groups of those who keep their distances from a keyframe to the next; `times` below 1, more of them. Null as above. */
+  findAlike(
+    scene: Scene,
+    question: Omit<AffinityRequest, "scene">,
+    tell: (progress: number) => void,
+  ): Promise<readonly Branch[] | null>;
+  /** Drops the errand under way. */
+  stopErrand(): void;
   /** Says what happened to the engine itself: restarting, back. */
   readonly health: ReadonlySignal<"starting" | "ready" | "restarting" | "failed">;
 }

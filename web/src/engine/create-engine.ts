@@ -3,7 +3,7 @@ import type { Scene } from "../document/scene";
 import type { Engine } from "./api";
 import { EngineError } from "./api";
 import type { Crew } from "./crew";
-import { sceneFrom } from "./ledger";
+import { type Ledger, sceneFrom } from "./ledger";
 import { WorkerGone, type WorkerLink } from "./link";
 import type { CallName, Calls } from "./protocol";
 
@@ -32,6 +32,14 @@ async function ask<Name extends CallName>(
   }
 }
 
+/** The ledger of a worker whose steps are heard. */
+function listening(link: WorkerLink, tell: (progress: number) => void): Ledger {
+  link.onPlan = (message) => {
+    if (message.kind === "progress") tell(message.progress);
+  };
+  return link.ledger;
+}
+
 export function createEngine(crew: Crew): Engine {
   return {
     health: crew.health,
@@ -48,6 +56,15 @@ export function createEngine(crew: Crew): Engine {
       ask(crew, "link", (link) => ({ scene: link.ledger.message(scene), isShort: precision === "short" })),
     assign: (source: Formation, target: Formation) =>
       ask(crew, "assign", () => ({ source: source.xy, target: target.xy })),
+    async findPlaces(scene, question, tell) {
+      const of = (link: WorkerLink) => ({ ...question, scene: listening(link, tell).message(scene) });
+      return JSON.parse((await ask(crew, "assignment", of)) ?? "null");
+    },
+    async findAlike(scene, question, tell) {
+      const of = (link: WorkerLink) => ({ ...question, scene: listening(link, tell).message(scene) });
+      return JSON.parse((await ask(crew, "affinity", of)) ?? "null");
+    },
+    stopErrand: () => void crew.desk().then((link) => link.call("cancel", null).answer.catch(() => {})),
     async proposeGroups(scene: Scene, keyframe, agents, way) {
       const of = (link: WorkerLink) => ({ scene: link.ledger.message(scene), keyframe, agents, way });
       return JSON.parse(await ask(crew, "proposeGroups", of));

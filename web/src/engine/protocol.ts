@@ -1,5 +1,14 @@
 import type { Choice } from "../document/scene";
-import type { Counterpart, EngineProblem, GroupingWay, LinkReport, RecordingData, SegmentReport } from "./api";
+import type {
+  AssignmentQuestion,
+  Counterpart,
+  EngineProblem,
+  GroupingWay,
+  LinkReport,
+  Metric,
+  RecordingData,
+  SegmentReport,
+} from "./api";
 
 /**
  * A scene as it crosses to a worker: formations once each, by number; all else as JSON text, only when it changed.
@@ -34,6 +43,15 @@ export interface GroupingRequest {
   readonly way: GroupingWay;
 }
 
+export interface AffinityRequest {
+  readonly scene: SceneMessage;
+  readonly keyframe: number;
+  readonly agents: Uint32Array;
+  readonly metric: Metric;
+  /** Of the usual preference: fewer than 1, more groups. */
+  readonly times: number;
+}
+
 /** Every question to a worker and its answer. */
 export interface Calls {
   open: { ask: { readonly text: string }; answer: OpenedMessage };
@@ -43,6 +61,10 @@ export interface Calls {
   writeMotion: { ask: { readonly scene: SceneMessage; readonly format: "csv" | "json" }; answer: string };
   link: { ask: { readonly scene: SceneMessage; readonly isShort: boolean }; answer: LinkReport };
   assign: { ask: { readonly source: Float64Array; readonly target: Float64Array }; answer: Uint32Array };
+  /** Answers JSON of the slots; null when another errand or a cancel took its place. */
+  assignment: { ask: { readonly scene: SceneMessage } & AssignmentQuestion; answer: string | null };
+  /** Answers JSON of the groups, or null as above. */
+  affinity: { ask: AffinityRequest; answer: string | null };
   modes: {
     ask: { readonly scene: SceneMessage; readonly keyframe: number; readonly most: number };
     /** All eigenvalues, then the modes beside the constant one, an entry an agent. */

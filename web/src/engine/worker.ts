@@ -22,6 +22,8 @@ let engine: Engine | null = null;
 /** The plan under way; a newer one replaces it between two steps. */
 let plan: Plan | null = null;
 let isTurning = false;
+/** The question that an errand is done for. */
+let errand = 0;
 
 /** Work that is asked for in slices goes on for about so many milliseconds at a time. */
 const SLICE = 50;
@@ -42,7 +44,10 @@ function take(message: SceneMessage, to: Engine): void {
   to.set_scene(message.rest ?? undefined, Uint32Array.from(message.formations));
 }
 
-type Handlers = { [Name in CallName]: (ask: Calls[Name]["ask"], to: Engine, id: number) => Calls[Name]["answer"] };
+type Answered<T> = T | Promise<T>;
+type Handlers = {
+  [Name in CallName]: (ask: Calls[Name]["ask"], to: Engine, id: number) => Answered<Calls[Name]["answer"]>;
+};
 
 const handlers: Handlers = {
   open: ({ text }, to) => JSON.parse(to.open(text)) as OpenedMessage,
@@ -67,6 +72,16 @@ const handlers: Handlers = {
     return JSON.parse(to.link(isShort)) as Calls["link"]["answer"];
   },
   assign: ({ source, target }, to) => to.assign(source, target),
+  assignment: ({ scene, segment, recipe, isFlipped, isPredicted }, to, id) => {
+    take(scene, to);
+    to.begin_assignment(segment, JSON.stringify(recipe), isFlipped, isPredicted);
+    return finish(id, to);
+  },
+  affinity: ({ scene, keyframe, agents, metric, times }, to, id) => {
+    take(scene, to);
+    to.begin_affinity(keyframe, agents, metric, times);
+    return finish(id, to);
+  },
   modes: ({ scene, keyframe, most }, to) => {
     take(scene, to);
     return to.modes(keyframe, most);
@@ -111,6 +126,7 @@ const handlers: Handlers = {
   },
   cancel: (_, to) => {
     plan = null;
+    errand = 0;
     to.stop();
     return null;
   },
@@ -118,11 +134,24 @@ const handlers: Handlers = {
 
 /** Lets waiting messages in, without a timer's four milliseconds. */
 const gate = new MessageChannel();
+gate.port1.start();
 function pause(): Promise<void> {
   return new Promise((resolve) => {
-    gate.port1.onmessage = () => resolve();
+    gate.port1.addEventListener("message", () => resolve(), { once: true });
     gate.port2.postMessage(null);
   });
+}
+
+/** Goes on with the errand that was begun, listening in between; null when another or a cancel took its place. */
+async function finish(id: number, to: Engine): Promise<string | null> {
+  errand = id;
+  for (;;) {
+    const progress = to.step_errand();
+    if (progress >= 1) return to.errand_result();
+    post({ kind: "progress", plan: id, segment: -1, progress });
+    await pause();
+    if (errand !== id) return null;
+  }
 }
 
 async function turn(): Promise<void> {
@@ -205,12 +234,12 @@ function crash(error: unknown): void {
   post({ kind: "crashed", message: error instanceof Error ? error.message : String(error) });
 }
 
-function answer<Name extends CallName>(id: number, name: Name, ask: Calls[Name]["ask"]): void {
+async function answer<Name extends CallName>(id: number, name: Name, ask: Calls[Name]["ask"]): Promise<void> {
   if (!engine) return;
   try {
     try {
       const handler: Handlers[Name] = handlers[name];
-      post({ kind: "answer", id, value: handler(ask, engine, id) });
+      post({ kind: "answer", id, value: await handler(ask, engine, id) });
     } catch (error) {
       post({ kind: "refusal", id, problem: problemOf(error) });
     }
@@ -242,7 +271,7 @@ function hold(lock: string): Promise<void> {
 
 self.onmessage = async ({ data }: MessageEvent<Question>) => {
   if (data.kind === "call") {
-    answer(data.id, data.name, data.ask);
+    void answer(data.id, data.name, data.ask);
     return;
   }
   try {

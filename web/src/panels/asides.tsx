@@ -5,6 +5,9 @@ const ModesPanel = lazily(() => import("./modes/modes-panel").then((part) => par
 const ModesOverlay = lazily(() => import("./modes/modes-overlay").then((part) => part.ModesOverlay));
 const RecordingPanel = lazily(() => import("./recording/recording-panel").then((part) => part.RecordingPanel));
 const RecordingOverlay = lazily(() => import("./recording/recording-overlay").then((part) => part.RecordingOverlay));
+const AssignmentOverlay = lazily(() =>
+  import("./assignment/assignment-overlay").then((part) => part.AssignmentOverlay),
+);
 
 /** What is open beside the show: over the drawing and below the pills that float there, or in the inspector's place. */
 export function Asides({ place }: { place: "stage" | "side" }) {
@@ -15,6 +18,8 @@ export function Asides({ place }: { place: "stage" | "side" }) {
       return place === "stage" ? <RecordingOverlay /> : <RecordingPanel />;
     case "original":
       return place === "stage" ? <RecordingOverlay /> : null;
+    case "assignment":
+      return place === "stage" ? <AssignmentOverlay /> : null;
     default:
       return null;
   }

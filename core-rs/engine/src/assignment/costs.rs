@@ -120,7 +120,9 @@ impl Costs for Ways {
             }
         }
         if self.measure == Measure::Euclidean {
-            row.iter_mut().for_each(|out| *out = out.sqrt());
+            for out in &mut *row {
+                *out = out.sqrt();
+            }
         }
         if let Some(Effort { lambda, spacing }) = &self.effort {
             let from = spacing.sources[source];

@@ -2,8 +2,6 @@
 //!
 //! Locks first, then regions for sections from the outermost in, then slots within each region.
 
-use std::collections::BTreeMap;
-
 use glam::DVec3;
 
 use super::costs::{Measure, Ways};
@@ -13,6 +11,9 @@ use super::{Assignment, AssignmentSpec, Cost, check_locks};
 use crate::adjacency::propose;
 use crate::error::Error;
 use crate::formation::Formation;
+
+/// No slot, or no number, yet.
+const NONE: u32 = u32::MAX;
 
 /// Costs looked at in a step: some ten milliseconds in a browser.
 const STEP_COSTS: usize = 1 << 22;
@@ -78,11 +79,13 @@ impl Job {
             let pairs: Vec<_> = spec.locks.iter().map(|&(agent, slot)| (sources[agent as usize], targets[slot as usize])).collect();
             carry(&mut sources, &pairs);
         }
-        let locked: BTreeMap<u32, u32> = spec.locks.iter().copied().collect();
-        let slots = match spec.cost {
-            Cost::Keep => kept(&locked, agent_count),
-            _ => (0..agent_count as u32).map(|agent| *locked.get(&agent).unwrap_or(&u32::MAX)).collect(),
-        };
+        let mut slots = vec![NONE; agent_count];
+        for &(agent, slot) in &spec.locks {
+            slots[agent as usize] = slot;
+        }
+        if spec.cost == Cost::Keep {
+            keep_others(&mut slots);
+        }
         let mut job = Self {
             spec: spec.clone(),
             sources,
@@ -92,12 +95,12 @@ impl Job {
             spacings: if spec.cost == Cost::LeastEffort { [spacings(source), spacings(target)] } else { [vec![], vec![]] },
             tasks: vec![],
             current: None,
-            settled: slots.iter().filter(|slot| **slot != u32::MAX).count(),
+            settled: slots.iter().filter(|slot| **slot != NONE).count(),
             slots,
         };
-        let is_taken: Vec<bool> = taken(&job.slots);
+        let is_taken = taken(&job.slots);
         let free = |is_free: &dyn Fn(usize) -> bool| (0..agent_count).filter(|&each| is_free(each)).map(|each| each as u32).collect();
-        let agents = free(&|agent| job.slots[agent] == u32::MAX);
+        let agents = free(&|agent| job.slots[agent] == NONE);
         job.add(Task { agents, slots: free(&|slot| !is_taken[slot]), ..Task::default() });
         Ok(job)
     }
@@ -106,7 +109,7 @@ impl Job {
     pub fn step(&mut self) -> f64 {
         let Some((task, mut solver)) = self.current.take().or_else(|| self.next()) else { return 1.0 };
         if solver.step(STEP_COSTS / task.agents.len()) {
-            self.close(task, &solver);
+            self.close(&task, &solver);
         } else {
             self.current = Some((task, solver));
         }
@@ -114,7 +117,7 @@ impl Job {
             return 1.0;
         }
         let under_way = self.current.as_ref().filter(|(task, _)| task.parts.is_empty()).map_or(0, |(_, solver)| solver.settled());
-        // Regions are about half of the work; whoever has a slot is all of it.
+        // Not 1 while a task is left, although everybody may have a slot before the last prices are found.
         (self.settled + under_way) as f64 / self.slots.len().max(1) as f64 * 0.999
     }
 
@@ -137,7 +140,8 @@ impl Job {
         while task.level < self.sections.len() {
             task.parts = parts(&task.agents, &self.sections[task.level]);
             // One part is all of them.
-            if task.parts.iter().any(|part| *part != task.parts[0]) && has_section(&task.agents, &self.sections[task.level]) {
+            let has_sections = task.agents.iter().any(|agent| self.sections[task.level][*agent as usize].is_some());
+            if has_sections && part_count(&task.parts) > 1 {
                 let solver = Solver::new(self.regions(&task), task.slots.len());
                 return Some((task, solver));
             }
@@ -148,7 +152,7 @@ impl Job {
         Some((task, solver))
     }
 
-    fn close(&mut self, task: Task, solver: &Solver) {
+    fn close(&mut self, task: &Task, solver: &Solver) {
         let slot_of = |at: usize| task.slots[solver.targets()[at] as usize];
         if task.parts.is_empty() {
             for (at, agent) in task.agents.iter().enumerate() {
@@ -157,14 +161,16 @@ impl Job {
             self.settled += task.agents.len();
             return;
         }
-        let mut within: BTreeMap<Option<u32>, Task> = BTreeMap::new();
+        // A task a part, and one for all who are in no section.
+        let mut within: Vec<Task> = (0..=part_count(&task.parts)).map(|_| Task { level: task.level + 1, ..Task::default() }).collect();
+        let others = within.len() - 1;
         for (at, &agent) in task.agents.iter().enumerate() {
-            let part = within.entry(self.sections[task.level][agent as usize]).or_default();
-            part.level = task.level + 1;
+            let section = self.sections[task.level][agent as usize];
+            let part = &mut within[section.map_or(others, |_| task.parts[at] as usize)];
             part.agents.push(agent);
             part.slots.push(slot_of(at));
         }
-        for (_, mut part) in within {
+        for mut part in within {
             // Which of its agents a slot was found for is chance.
             crate::order::sort_by_key(&mut part.slots, |slot| u128::from(*slot));
             self.add(part);
@@ -195,13 +201,14 @@ impl Job {
 
     /// From the barycenters of sections to the slots: squared, so that regions are cells which lines part.
     fn regions(&self, task: &Task) -> Ways {
-        let mut sums: BTreeMap<u32, (DVec3, f64)> = BTreeMap::new();
+        let mut sums = vec![(DVec3::ZERO, 0.0); part_count(&task.parts)];
         for (part, agent) in task.parts.iter().zip(&task.agents) {
-            let (sum, count) = sums.entry(*part).or_default();
+            let (sum, count) = &mut sums[*part as usize];
             *sum += self.sources[*agent as usize];
             *count += 1.0;
         }
-        let mut sources: Vec<DVec3> = task.parts.iter().map(|part| sums[part].0 / sums[part].1).collect();
+        let middle = |part: &u32| sums[*part as usize].0 / sums[*part as usize].1;
+        let mut sources: Vec<DVec3> = task.parts.iter().map(middle).collect();
         let mut targets = only(&self.targets, &task.slots);
         center(&mut sources);
         center(&mut targets);
@@ -209,45 +216,52 @@ impl Job {
     }
 }
 
-/// The slots of their own numbers; whoever loses one takes that which the chain of locks leaves.
-fn kept(locked: &BTreeMap<u32, u32>, agent_count: usize) -> Vec<u32> {
-    let mut slots: Vec<u32> = (0..agent_count as u32).map(|agent| *locked.get(&agent).unwrap_or(&agent)).collect();
-    let is_slot: Vec<bool> = locked.values().fold(vec![false; agent_count], |mut is_slot, slot| {
-        is_slot[*slot as usize] = true;
-        is_slot
-    });
-    for first in locked.keys().filter(|agent| !is_slot[**agent as usize]) {
-        let mut last = *first;
-        while let Some(next) = locked.get(&last) {
-            last = *next;
+/// Who is not locked keeps the slot of their own number; whoever loses it takes the one that the chain of locks leaves.
+fn keep_others(slots: &mut [u32]) {
+    let is_taken = taken(slots);
+    let heads: Vec<usize> = (0..slots.len()).filter(|&agent| slots[agent] != NONE && !is_taken[agent]).collect();
+    for head in heads {
+        let mut last = head;
+        while slots[last] != NONE {
+            last = slots[last] as usize;
         }
-        slots[last as usize] = *first;
+        slots[last] = head as u32;
     }
-    slots
+    for (own, slot) in (0..).zip(slots) {
+        *slot = if *slot == NONE { own } else { *slot };
+    }
 }
 
+/// By slot: whether somebody has it.
 fn taken(slots: &[u32]) -> Vec<bool> {
     let mut is_taken = vec![false; slots.len()];
-    for slot in slots.iter().filter(|slot| **slot != u32::MAX) {
+    for slot in slots.iter().filter(|slot| **slot != NONE) {
         is_taken[*slot as usize] = true;
     }
     is_taken
 }
 
-fn has_section(agents: &[u32], sections: &[Option<u32>]) -> bool {
-    agents.iter().any(|agent| sections[*agent as usize].is_some())
-}
-
 /// Numbers from 0: one a section, and one for each agent in none.
 fn parts(agents: &[u32], sections: &[Option<u32>]) -> Vec<u32> {
-    let (mut numbers, mut count) = (BTreeMap::new(), 0);
-    let mut number = |agent: &u32| {
-        let section = sections[*agent as usize];
-        let part = *numbers.entry(section.ok_or(*agent)).or_insert(count);
-        count = count.max(part + 1);
-        part
+    let mut numbers = vec![NONE; sections.iter().flatten().max().map_or(0, |most| *most as usize + 1)];
+    let mut count = 0;
+    let mut fresh = || {
+        count += 1;
+        count - 1
     };
-    agents.iter().map(&mut number).collect()
+    let number = |agent: &u32| match sections[*agent as usize].map(|section| &mut numbers[section as usize]) {
+        Some(number) if *number != NONE => *number,
+        Some(number) => {
+            *number = fresh();
+            *number
+        }
+        None => fresh(),
+    };
+    agents.iter().map(number).collect()
+}
+
+fn part_count(parts: &[u32]) -> usize {
+    parts.iter().max().map_or(0, |most| *most as usize + 1)
 }
 
 /// Mean length of the Delaunay edges at each agent, meters; 0 where it has none.

@@ -62,7 +62,7 @@ pub fn solve(agent_count: usize, cost: impl Fn(usize, usize) -> f64) -> Assignme
     let mut search = Search::new(&costs, vec![0.0; agent_count]);
     search.reduce(&costs);
     search.finish(&costs, usize::MAX);
-    Assignment::new(search.targets().to_vec()).expect("every source holds a target of its own")
+    Assignment(search.targets().to_vec())
 }
 
 /// The assignment with the greatest sum of `gain(source, target)`; else as [`solve`].

@@ -1,7 +1,5 @@
 //! What the person says about who goes where.
 
-use std::collections::BTreeMap;
-
 use serde::{Deserialize, Serialize};
 
 use crate::error::Error;
@@ -50,15 +48,15 @@ impl Default for AssignmentSpec {
 
 /// Refuses locks of agents or slots that are not there, two slots of one agent and two agents of one slot. `place`: of a lock.
 pub fn check_locks(locks: &[(u32, u32)], agent_count: usize, place: impl Fn(usize) -> String) -> Result<(), Error> {
-    let (mut slots, mut agents) = (BTreeMap::new(), BTreeMap::new());
+    let (mut slots, mut agents) = (vec![None; agent_count], vec![None; agent_count]);
     for (index, &(agent, slot)) in locks.iter().enumerate() {
         if let Some(stranger) = [agent, slot].into_iter().find(|&either| either as usize >= agent_count) {
             return Err(Error::UnknownAgent { agent: stranger, agent_count, place: place(index) });
         }
-        if let Some(other) = slots.insert(agent, slot) {
+        if let Some(other) = slots[agent as usize].replace(slot) {
             return Err(Error::TwoSlots { agent, slots: [other, slot], place: place(index) });
         }
-        if let Some(other) = agents.insert(slot, agent) {
+        if let Some(other) = agents[slot as usize].replace(agent) {
             return Err(Error::SlotTaken { slot, agents: [other, agent], place: place(index) });
         }
     }

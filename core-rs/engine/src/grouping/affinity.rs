@@ -103,15 +103,9 @@ impl AffinityJob {
             self.steady = if stands == self.stands { self.steady + 1 } else { 1 };
             self.stands = stands;
             self.rounds += 1;
-            if self.rounds == MOST_ROUNDS {
+            let has_settled = self.rounds > STEADY_ROUNDS && self.steady >= STEADY_ROUNDS && self.stands.contains(&true);
+            if has_settled || self.rounds == MOST_ROUNDS {
                 return 1.0;
-            }
-            if self.steady > STEADY_ROUNDS && self.stands.contains(&true) {
-                // Of groups that are much alike the first leader may stand alone for a while.
-                if messages.are_settled_on(&self.stands) {
-                    return 1.0;
-                }
-                self.steady = 0;
             }
         }
         f64::from(self.rounds) / f64::from(self.rounds + 100)

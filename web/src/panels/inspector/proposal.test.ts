@@ -19,6 +19,7 @@ function bench() {
     agentCount: 6,
     ask: () => new Promise((resolve) => answers.push(resolve)),
     command: (branches) => takeProposal([], branches),
+    stop: () => {},
     announce: () => {},
     onProblem: () => {},
   });

@@ -2,13 +2,26 @@ import { type ReadonlySignal, signal } from "@preact/signals";
 import type { Branch } from "../../document/commands/propose";
 import type { Scene } from "../../document/scene";
 import type { Command, DocumentStore } from "../../document/store";
-import type { GroupingWay } from "../../engine/api";
+import type { GroupingWay, Metric } from "../../engine/api";
+
+/** Groups by ties, or of those who keep their distances on the way to the next keyframe. */
+export type Seeking =
+  | GroupingWay
+  | {
+      readonly kind: "alike";
+      /** −1 few groups … 1 many; 0: as many as the median likeness makes. */
+      readonly amount: number;
+      readonly metric: Metric;
+    };
 
 export interface ProposalParts {
   readonly document: DocumentStore;
   /** How many agents are to be grouped. */
   readonly agentCount: number;
-  ask(scene: Scene, way: GroupingWay): Promise<readonly Branch[]>;
+  /** Null: another question took its place. */
+  ask(scene: Scene, way: Seeking, tell: (progress: number) => void): Promise<readonly Branch[] | null>;
+  /** Drops what is under way. */
+  stop(): void;
   command(branches: readonly Branch[]): Command;
   announce(text: string): void;
   onProblem(error: unknown): void;
@@ -18,7 +31,7 @@ export interface ProposalParts {
 export interface Proposal {
   /** What is shown, in words; empty until something is. */
   readonly words: ReadonlySignal<string>;
-  show(way: GroupingWay): void;
+  show(way: Seeking): void;
   accept(): void;
   cancel(): void;
 }
@@ -33,6 +46,7 @@ export function createProposal(parts: ProposalParts): Proposal {
 
   function end(how: "commit" | "cancel"): void {
     latest = -1;
+    parts.stop();
     gesture[how]();
   }
 
@@ -41,9 +55,12 @@ export function createProposal(parts: ProposalParts): Proposal {
     show(way) {
       latest += 1;
       const question = latest;
-      ask(start, way).then(
+      const tell = (progress: number) => {
+        if (question === latest) words.value = `Looking for groups … ${Math.floor(progress * 100)} %`;
+      };
+      ask(start, way, tell).then(
         (branches) => {
-          if (question !== latest) return;
+          if (question !== latest || !branches) return;
           gesture.preview(command(branches));
           words.value = proposedWords(branches, agentCount);
           parts.announce(words.value);

@@ -8,6 +8,9 @@ import { createProposal, type Proposal } from "./proposal";
 import { ProposalPreview } from "./proposal-preview";
 import { Section } from "./section";
 
+/** So many times the median likeness at the few end of the scale, and a so-manieth at the other. */
+const MUCH = 100;
+
 /** Groups found by the engine: for everybody, or within a group. */
 export function ProposeGroups({ inside }: { inside: GroupPath }) {
   const { document, engine, messages, playback } = useStudio();
@@ -19,10 +22,15 @@ export function ProposeGroups({ inside }: { inside: GroupPath }) {
   function open(): void {
     playback.pause();
     const keyframe = document.activeKeyframe.peek();
+    const members = Uint32Array.from(agents);
     proposal.value = createProposal({
       document,
       agentCount: agents.size,
-      ask: (at, way) => engine.proposeGroups(at, keyframe, Uint32Array.from(agents), way),
+      ask: (at, way, tell) =>
+        way.kind === "alike"
+          ? engine.findAlike(at, { keyframe, agents: members, metric: way.metric, times: MUCH ** -way.amount }, tell)
+          : engine.proposeGroups(at, keyframe, members, way),
+      stop: engine.stopErrand,
       command: (branches) => takeProposal(inside, branches),
       announce: messages.announce,
       onProblem(error) {

@@ -16,6 +16,7 @@ import { Section } from "./section";
 import { SpanRow } from "./span-row";
 import { TransitionOptions } from "./transition-options";
 
+const AssignmentPart = lazily(() => import("../assignment/assignment-part").then((part) => part.AssignmentPart));
 const SpreadOut = lazily(() => import("./spread-out").then((part) => part.SpreadOut));
 
 /** How one formation becomes the next, how well, and why so. */
@@ -48,6 +49,7 @@ export function TransitionPanel({ index }: { index: number }) {
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
         {segment.avoidance && <SpreadOut key={index} index={index} report={view.plan?.report ?? null} />}
       </Section>
+      <AssignmentPart key={index} index={index} segment={segment} />
       {view.plan && <Measures plan={view.plan} index={index} />}
       <Section>
         <div class="inspector-buttons">

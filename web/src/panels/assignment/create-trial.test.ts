@@ -1,0 +1,57 @@
+import { expect, test } from "vitest";
+import { emptyScene } from "../../document/defaults";
+import { createTrial } from "./create-trial";
+
+const RECIPE = { cost: "squared", lambda: 0.9, locks: [], keepGroups: false } as const;
+
+/** The engine answers when the test says so. */
+function bench() {
+  const answers: ((slots: readonly number[] | null) => void)[] = [];
+  let stops = 0;
+  const trial = createTrial(0, RECIPE, {
+    scene: emptyScene,
+    find: () => new Promise((resolve) => answers.push(resolve)),
+    stop: () => {
+      stops += 1;
+    },
+  });
+  const settled = () => new Promise((resolve) => setTimeout(resolve, 0));
+  return { trial, answers, settled, stopCount: () => stops };
+}
+
+test("of two questions the later one is shown, whichever is answered last", async () => {
+  const { trial, answers, settled } = bench();
+  trial.ask();
+  trial.setRecipe({ cost: "manhattan" });
+  answers[1]?.([1, 0]);
+  answers[0]?.([0, 1]);
+  await settled();
+  expect(trial.slots.value).toEqual([1, 0]);
+  expect(trial.progress.value).toBeNull();
+});
+
+test("an agent has one lock and so has a place; without any nothing is predicted", () => {
+  const { trial } = bench();
+  trial.lock(0, 5);
+  trial.lock(1, 4);
+  trial.setWay({ isPredicted: true });
+  trial.lock(0, 4);
+  expect(trial.question.value.recipe.locks).toEqual([[0, 4]]);
+  expect(trial.question.value.isPredicted).toBe(true);
+  trial.unlock(0);
+  expect(trial.question.value.recipe.locks).toEqual([]);
+  expect(trial.question.value.isPredicted).toBe(false);
+});
+
+test("stopped, the answer before stays", async () => {
+  const { trial, answers, settled, stopCount } = bench();
+  trial.ask();
+  answers[0]?.([0, 1]);
+  await settled();
+  trial.setWay({ isFlipped: true });
+  trial.stop();
+  answers[1]?.(null);
+  await settled();
+  expect(trial.slots.value).toEqual([0, 1]);
+  expect([trial.progress.value, stopCount()]).toEqual([null, 1]);
+});

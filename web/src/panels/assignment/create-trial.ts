@@ -1,0 +1,87 @@
+import { type ReadonlySignal, signal } from "@preact/signals";
+import type { AssignmentSpec, Scene } from "../../document/scene";
+import type { AssignmentQuestion } from "../../engine/api";
+
+/** Who would go where, on trial: the scene stays as it is until the answer is accepted. */
+export interface AssignmentTrial {
+  readonly question: ReadonlySignal<AssignmentQuestion>;
+  /** By agent, the place it would take; null until there is an answer. */
+  readonly slots: ReadonlySignal<readonly number[] | null>;
+  /** 0..1; null when nothing is under way. */
+  readonly progress: ReadonlySignal<number | null>;
+  /** Why there is no answer, in a sentence. */
+  readonly problem: ReadonlySignal<string | null>;
+  setRecipe(change: Partial<Omit<AssignmentSpec, "locks">>): void;
+  setWay(change: Partial<Pick<AssignmentQuestion, "isFlipped" | "isPredicted">>): void;
+  /** This agent takes this place, whatever it costs; who had one of them locked has not any more. */
+  lock(agent: number, slot: number): void;
+  unlock(agent: number): void;
+  /** Asks with the scene as it is now. */
+  ask(): void;
+  /** Leaves the last answer as it is. */
+  stop(): void;
+}
+
+export interface TrialParts {
+  scene(): Scene;
+  find(scene: Scene, question: AssignmentQuestion, tell: (progress: number) => void): Promise<readonly number[] | null>;
+  stop(): void;
+}
+
+/** Of several questions under way the latest counts. */
+export function createTrial(segment: number, recipe: AssignmentSpec, parts: TrialParts): AssignmentTrial {
+  const question = signal<AssignmentQuestion>({ segment, recipe, isFlipped: false, isPredicted: false });
+  const slots = signal<readonly number[] | null>(null);
+  const progress = signal<number | null>(null);
+  const problem = signal<string | null>(null);
+  let latest = 0;
+
+  async function ask(): Promise<void> {
+    latest += 1;
+    const mine = latest;
+    const isLatest = () => mine === latest;
+    progress.value = 0;
+    problem.value = null;
+    try {
+      const found = await parts.find(parts.scene(), question.peek(), (at) => {
+        if (isLatest()) progress.value = at;
+      });
+      if (isLatest() && found) slots.value = found;
+    } catch (error) {
+      if (isLatest()) problem.value = error instanceof Error ? error.message : String(error);
+    }
+    if (isLatest()) progress.value = null;
+  }
+
+  function change(next: Partial<AssignmentQuestion>): void {
+    question.value = { ...question.peek(), ...next };
+    void ask();
+  }
+
+  function setLocks(locks: AssignmentSpec["locks"]): void {
+    const isPredicted = question.peek().isPredicted && locks.length > 0;
+    change({ recipe: { ...question.peek().recipe, locks }, isPredicted });
+  }
+
+  const locks = () => question.peek().recipe.locks;
+  return {
+    question,
+    slots,
+    progress,
+    problem,
+    setRecipe: (part) => change({ recipe: { ...question.peek().recipe, ...part } }),
+    setWay: change,
+    lock: (agent, slot) =>
+      setLocks([...locks().filter((lock) => lock[0] !== agent && lock[1] !== slot), [agent, slot]]),
+    unlock: (agent) => setLocks(locks().filter((lock) => lock[0] !== agent)),
+    ask: () => void ask(),
+    stop() {
+      latest += 1;
+      progress.value = null;
+      parts.stop();
+    },
+  };
+}
+
+/** The one that is open, for what is drawn over the stage. */
+export const openTrial = signal<AssignmentTrial | null>(null);

@@ -1,0 +1,71 @@
+import "./assignment.css";
+import { useSignal } from "@preact/signals";
+import { X } from "lucide";
+import { agentLabel } from "../../document/queries";
+import { mainTrack, type Scene } from "../../document/scene";
+import { Icon } from "../../theme/icons";
+import { NumberBox } from "../controls/number-box";
+import { Row } from "../controls/row";
+import { wholeQuantity } from "../inspector/quantities";
+import type { AssignmentTrial } from "./create-trial";
+
+/** More would push the answer out of sight. */
+const MOST_SHOWN = 6;
+
+/** The pairs that are given, each to be let go, and two numbers for whoever does not drag. */
+export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTrial }) {
+  const { locks } = trial.question.value.recipe;
+  const pair = useSignal<readonly [agent: number, slot: number]>([1, 1]);
+  const number = wholeQuantity(1, Math.max(1, mainTrack(scene).agents.length));
+  const [agent, slot] = pair.value;
+  return (
+    <>
+      {locks.length > 0 && (
+        <ul class="lock-list" aria-label="Locks">
+          {locks.slice(-MOST_SHOWN).map(([locked, place]) => (
+            <li key={locked}>
+              <span class="ellipsis">
+                {agentLabel(scene, locked)} → place of {agentLabel(scene, place)}
+              </span>
+              <button
+                type="button"
+                class="icon-button"
+                aria-label={`Unlock ${agentLabel(scene, locked)}`}
+                onClick={() => trial.unlock(locked)}
+              >
+                <Icon node={X} size={14} />
+              </button>
+            </li>
+          ))}
+        </ul>
+      )}
+      {locks.length > MOST_SHOWN && <p class="inspector-text">and {locks.length - MOST_SHOWN} more locks</p>}
+      <Row label="Lock" note="or drag on the stage">
+        <span class="lock-pair">
+          <NumberBox
+            label="Agent to lock"
+            value={agent}
+            quantity={number}
+            isLive
+            onCommit={(value) => {
+              pair.value = [Math.round(value), slot];
+            }}
+          />
+          <NumberBox
+            label="Place of agent"
+            prefix="to"
+            value={slot}
+            quantity={number}
+            isLive
+            onCommit={(value) => {
+              pair.value = [agent, Math.round(value)];
+            }}
+          />
+          <button type="button" class="button" onClick={() => trial.lock(agent - 1, slot - 1)}>
+            Lock
+          </button>
+        </span>
+      </Row>
+    </>
+  );
+}
