@@ -5,8 +5,8 @@ import thousand from "../../public/examples/thousand.eigenform.json?raw";
 import { moveAgents } from "../../web/src/document/commands/agents";
 import { type MethodName, mainTrack, type Scene } from "../../web/src/document/scene";
 import { Ledger, sceneFrom } from "../../web/src/engine/ledger";
-import init, { Engine } from "../../web/src/engine/pkg/engine.js";
-import wasmUrl from "../../web/src/engine/pkg/engine_bg.wasm?url";
+import init, { Engine } from "../../web/src/engine/pkg/workshop.js";
+import wasmUrl from "../../web/src/engine/pkg/workshop_bg.wasm?url";
 import { crossingBlocks, lasting, marchingBlock, strewn, strewnShow } from "./scenes";
 
 /** Times the engine in the page itself, without the worker's messages; milliseconds, one entry a run. */

@@ -49,9 +49,8 @@ const dialogs = createDialogs();
 const autosave = laterAutosave();
 followPlayhead(store, playback);
 
-const engineModule = compileEngine();
 const aside = signal<Aside | null>(null);
-const crew = createCrew(engineModule, (title, text) => messages.say({ tone: "problem", title, text }));
+const crew = createCrew(compileEngine(), (title, text) => messages.say({ tone: "problem", title, text }));
 const engine = createEngine(crew);
 const planner = createPlanner({ scene: store.scene, isDragging: store.isDragging, time: playback.time, crew });
 
@@ -165,7 +164,6 @@ const studio: Studio = {
   view,
   planner,
   engine,
-  engineModule,
   toolbox,
   actions,
   messages,

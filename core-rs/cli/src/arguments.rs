@@ -244,6 +244,7 @@ neighbors), euclidean, manhattan, or keep: everybody takes the place of their nu
 Examples:
   eigenform assign show.eigenform.json --from 0 --to 1 --json
   eigenform assign show.eigenform.json --from 0 --to 1 --cost least-effort --lambda 0.5 --lock 0:7 --keep-groups")]
+#[expect(clippy::struct_excessive_bools, reason = "a switch of the command line is a bool")]
 pub struct Assign {
     #[command(flatten)]
     pub source: Source,

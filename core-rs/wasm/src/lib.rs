@@ -3,18 +3,19 @@
 //! A refusal is thrown as the JSON text `{code, what, where}`; anything else that is thrown is a trap, and the instance is dead.
 
 mod desk;
+#[cfg(feature = "workshop")]
+mod workshop;
 
 use std::sync::Arc;
 
 use eigenform::adjacency::Adjacency;
 use eigenform::formation::Formation;
 use eigenform::motion::Motion;
-use eigenform::perform::{Performed, Performer, Salvage, SalvageJob, SalvageStep, SegmentJob, Step};
+use eigenform::perform::{Performed, Performer, SegmentJob, Step};
 use eigenform::scene::Scene;
-use eigenform::scene::recording::Recording;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use desk::{Errand, Refusal, encode};
+use desk::{Refusal, encode};
 
 /// One engine: a scene at hand, formations by the page's numbers, caches, and a job a segment under work.
 #[wasm_bindgen]
@@ -28,10 +29,8 @@ pub struct Engine {
     /// The segment worked on last.
     at: Option<usize>,
     done: Option<Arc<Performed>>,
-    salvage: Option<SalvageJob>,
-    salvaged: Option<Box<Salvage>>,
-    recording: Option<Recording>,
-    errand: Option<Errand>,
+    #[cfg(feature = "workshop")]
+    workshop: workshop::Workshop,
 }
 
 #[wasm_bindgen]
@@ -46,19 +45,6 @@ impl Engine {
     /// Any text a person brings: scene JSON, keyframe CSV or link. Answers JSON `{scene, source, notes}`.
     pub fn open(&self, text: &str) -> Result<String, Refusal> {
         desk::open(text)
-    }
-
-    /// A recording's text: motion CSV, or the text of `JuPedSim` and `PedPy`. Answers JSON `{frameRate, frameCount, agents, notes}`.
-    pub fn open_recording(&mut self, text: &str) -> Result<String, Refusal> {
-        let recording = desk::recording(text)?;
-        let head = desk::head(&recording);
-        self.recording = Some(recording);
-        Ok(head)
-    }
-
-    /// Positions of the recording opened last: x, y an agent, frame by frame; not a number where an agent is absent.
-    pub fn recording_positions(&self) -> Vec<f32> {
-        desk::positions(self.recording())
     }
 
     /// Formation number `id`: x, y an agent and, in space, their heights; meters.
@@ -115,29 +101,8 @@ impl Engine {
     /// Drops the jobs under way.
     pub fn stop(&mut self) {
         self.jobs.clear();
-        self.salvage = None;
-    }
-
-    /// Works for a while on letting those who are stuck in a segment spread out; answers how far it is, 1 when what was found can be
-    /// read.
-    pub fn salvage(&mut self, segment: usize) -> Result<f64, Refusal> {
-        let scene = at_hand(self.scene.as_ref());
-        let mut job = self.salvage.take().unwrap_or_else(|| self.performer.salvage(scene, segment));
-        match job.step(&mut self.performer)? {
-            SalvageStep::Progress(progress) => {
-                self.salvage = Some(job);
-                Ok(progress.min(0.999))
-            }
-            SalvageStep::Done(found) => {
-                self.salvaged = found;
-                Ok(1.0)
-            }
-        }
-    }
-
-    /// What was found, JSON `{keyframes, part, report}`; null where there was nothing to mend.
-    pub fn salvaged(&self) -> String {
-        encode(&self.salvaged)
+        #[cfg(feature = "workshop")]
+        self.workshop.stop();
     }
 
     /// Sample times of the segment just moved, scene seconds.
@@ -165,11 +130,6 @@ impl Engine {
         encode(&self.done().report())
     }
 
-    /// How the movement of the segment just done looks as a whole, JSON `[measures, curves]`: found anew at every call.
-    pub fn segment_movement(&self) -> String {
-        desk::movement(self.done())
-    }
-
     /// Ties of a keyframe: a, b a tie, a < b, ascending.
     pub fn tie_pairs(&mut self, keyframe: usize) -> Result<Vec<u32>, Refusal> {
         let graph = self.graph(keyframe)?;
@@ -180,22 +140,6 @@ impl Engine {
     pub fn tie_factors(&mut self, keyframe: usize) -> Result<Vec<f64>, Refusal> {
         let graph = self.graph(keyframe)?;
         Ok(graph.ties().iter().map(|tie| tie.factor).collect())
-    }
-
-    /// The eigenbasis of a keyframe: all eigenvalues, ascending, then the first `most` modes beside the constant one, an entry an agent.
-    pub fn modes(&mut self, keyframe: usize, most: usize) -> Result<Vec<f64>, Refusal> {
-        Ok(desk::modes(&*self.performer.eigenbasis(at_hand(self.scene.as_ref()), keyframe)?, most))
-    }
-
-    /// How alike the modes at both ends of a segment are: of the first `most` source modes a row of one number a target mode, then
-    /// the target that each of them has under eigenvalue, greedy, max-min and hungarian order, an order at a time.
-    pub fn mode_match(&mut self, segment: usize, most: usize) -> Result<Vec<f32>, Refusal> {
-        Ok(desk::mode_match(&self.performer.mode_match(at_hand(self.scene.as_ref()), segment)?, most))
-    }
-
-    /// Eigenvalues of the graph between both ends of a segment, all of them at t = 0, 1/steps, …, 1.
-    pub fn eigenvalues_between(&mut self, segment: usize, steps: usize) -> Result<Vec<f64>, Refusal> {
-        Ok(self.performer.eigenvalues_between(at_hand(self.scene.as_ref()), segment, steps)?.concat())
     }
 
     /// The scene at hand as a file.
@@ -218,34 +162,6 @@ impl Engine {
         desk::link(at_hand(self.scene.as_ref()), is_short)
     }
 
-    /// Groups of some agents by their ties at a keyframe, JSON: `bisect` so often, into so many `parts`, or `connected` by such ties.
-    pub fn propose_groups(&mut self, keyframe: usize, agents: &[u32], way: &str, amount: f64) -> Result<String, Refusal> {
-        let graph = self.graph(keyframe)?;
-        Ok(desk::groups(at_hand(self.scene.as_ref()), keyframe, &graph, agents, desk::way(way, amount)))
-    }
-
-    /// Sets out to find who goes where between the ends of a segment, as `recipe` (JSON) says; takes the place of any other errand.
-    pub fn begin_assignment(&mut self, segment: usize, recipe: &str, is_flipped: bool, is_predicted: bool) -> Result<(), Refusal> {
-        self.errand = Some(desk::assignment(at_hand(self.scene.as_ref()), segment, recipe, is_flipped, is_predicted)?);
-        Ok(())
-    }
-
-    /// Sets out to find who keeps together from a keyframe to the next, at `times` the usual preference.
-    pub fn begin_affinity(&mut self, keyframe: usize, agents: &[u32], metric: &str, times: f64) -> Result<(), Refusal> {
-        self.errand = Some(desk::affinity(at_hand(self.scene.as_ref()), keyframe, agents, metric, times)?);
-        Ok(())
-    }
-
-    /// Goes on with the errand for a while; answers how far it is, 1 when its result can be read.
-    pub fn step_errand(&mut self) -> f64 {
-        self.errand.as_mut().map_or(1.0, Errand::step)
-    }
-
-    /// JSON, once: of an assignment the slot of each agent, of affinity the groups.
-    pub fn errand_result(&mut self) -> String {
-        self.errand.take().expect("an errand is done before it is read").result()
-    }
-
     /// The slot of each agent, least total squared distance; x, y an agent.
     pub fn assign(&self, source: &[f64], target: &[f64]) -> Vec<u32> {
         desk::assign(&desk::formation(source, None), &desk::formation(target, None))
@@ -253,10 +169,6 @@ impl Engine {
 }
 
 impl Engine {
-    fn recording(&self) -> &Recording {
-        self.recording.as_ref().expect("a recording is opened before it is read")
-    }
-
     /// Of the segment worked on last: of its job, or of what the job came to.
     fn motion(&self) -> Option<&Motion> {
         match self.jobs.iter().find(|(segment, _)| self.at == Some(*segment)) {

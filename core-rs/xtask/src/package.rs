@@ -5,23 +5,36 @@ use std::process::Command;
 
 use wasm_bindgen_cli_support::Bindgen;
 
-/// What the page loads, and what it calls it: the engine at first, shapes when one is made.
-const PACKAGES: [(&str, &str); 2] = [("eigenform-wasm", "engine"), ("eigenform-shapes", "shapes")];
+/// What the page loads, by the name it has there: the engine at first, the others when they are wanted.
+const PACKAGES: [Package; 3] = [
+    Package { name: "engine", member: "eigenform-wasm", features: &[] },
+    Package { name: "workshop", member: "eigenform-wasm", features: &["workshop"] },
+    Package { name: "shapes", member: "eigenform-shapes", features: &[] },
+];
+
+struct Package {
+    name: &'static str,
+    member: &'static str,
+    features: &'static [&'static str],
+}
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Compiles the engine for the browser and writes its packages into `directory`.
 pub fn build(directory: &Path) -> Result<(), String> {
-    let status = Command::new(env!("CARGO"))
-        .args(["build", "--profile", "page", "--target", TARGET])
-        .args(PACKAGES.iter().flat_map(|(package, _)| ["--package", package]))
-        .current_dir(workspace())
-        .status()
-        .map_err(|error| format!("cargo did not start: {error}"))?;
-    if !status.success() {
-        return Err("the engine does not compile for the browser".to_owned());
+    for Package { name, member, features } in PACKAGES {
+        let status = Command::new(env!("CARGO"))
+            .args(["build", "--profile", "page", "--target", TARGET, "--package", member, "--no-default-features"])
+            .args(["--features", &features.join(",")])
+            .current_dir(workspace())
+            .status()
+            .map_err(|error| format!("cargo did not start: {error}"))?;
+        if !status.success() {
+            return Err("the engine does not compile for the browser".to_owned());
+        }
+        bind(&member.replace('-', "_"), name, directory)?;
     }
-    PACKAGES.iter().try_for_each(|(package, name)| bind(&package.replace('-', "_"), name, directory))
+    Ok(())
 }
 
 fn bind(file: &str, name: &str, directory: &Path) -> Result<(), String> {

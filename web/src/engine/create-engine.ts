@@ -6,12 +6,13 @@ import type { Crew } from "./crew";
 import { type Ledger, sceneFrom } from "./ledger";
 import { WorkerGone, type WorkerLink } from "./link";
 import type { CallName, Calls } from "./protocol";
+import { createWorkshop } from "./workshop";
 
 /** A question that dies with its worker is asked once more of the next. */
 const TRIES = 2;
 
 async function ask<Name extends CallName>(
-  crew: Crew,
+  crew: Pick<Crew, "desk">,
   name: Name,
   askOf: (link: WorkerLink) => Calls[Name]["ask"],
 ): Promise<Calls[Name]["answer"]> {
@@ -41,13 +42,14 @@ function listening(link: WorkerLink, tell: (progress: number) => void): Ledger {
 }
 
 export function createEngine(crew: Crew): Engine {
+  const workshop = createWorkshop();
   return {
     health: crew.health,
     async open(text) {
       const opened = await ask(crew, "open", () => ({ text }));
       return { scene: sceneFrom(opened.scene), source: opened.source, notes: opened.notes };
     },
-    openRecording: (text) => ask(crew, "openRecording", () => ({ text })),
+    openRecording: (text) => ask(workshop, "openRecording", () => ({ text })),
     writeScene: (scene: Scene) => ask(crew, "writeScene", (link) => ({ scene: link.ledger.message(scene) })),
     writeKeyframes: (scene: Scene) => ask(crew, "writeKeyframes", (link) => ({ scene: link.ledger.message(scene) })),
     writeMotion: (scene: Scene, format) =>
@@ -58,16 +60,16 @@ export function createEngine(crew: Crew): Engine {
       ask(crew, "assign", () => ({ source: source.xy, target: target.xy })),
     async findPlaces(scene, question, tell) {
       const of = (link: WorkerLink) => ({ ...question, scene: listening(link, tell).message(scene) });
-      return JSON.parse((await ask(crew, "assignment", of)) ?? "null");
+      return JSON.parse((await ask(workshop, "assignment", of)) ?? "null");
     },
     async findAlike(scene, question, tell) {
       const of = (link: WorkerLink) => ({ ...question, scene: listening(link, tell).message(scene) });
-      return JSON.parse((await ask(crew, "affinity", of)) ?? "null");
+      return JSON.parse((await ask(workshop, "affinity", of)) ?? "null");
     },
-    stopErrand: () => void crew.desk().then((link) => link.call("cancel", null).answer.catch(() => {})),
+    stopErrand: () => void workshop.opened()?.then((link) => link.call("cancel", null).answer.catch(() => {})),
     async proposeGroups(scene: Scene, keyframe, agents, way) {
       const of = (link: WorkerLink) => ({ scene: link.ledger.message(scene), keyframe, agents, way });
-      return JSON.parse(await ask(crew, "proposeGroups", of));
+      return JSON.parse(await ask(workshop, "proposeGroups", of));
     },
   };
 }

@@ -27,8 +27,13 @@ export class WorkerLink {
   #isDead = false;
   #settleStart: { resolve(): void; reject(reason: unknown): void } = { resolve: () => {}, reject: () => {} };
 
-  constructor(module: WebAssembly.Module) {
-    this.#worker = new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name: "engine" });
+  /** `module` is the compiled engine, or the compiled workshop for one that answers everything. */
+  constructor(module: WebAssembly.Module, name: "engine" | "workshop" = "engine") {
+    // A bundler sees a worker only where its address stands.
+    this.#worker =
+      name === "engine"
+        ? new Worker(new URL("./worker.ts", import.meta.url), { type: "module", name })
+        : new Worker(new URL("./workshop-worker.ts", import.meta.url), { type: "module", name });
     this.started = new Promise((resolve, reject) => {
       this.#settleStart = { resolve, reject };
     });

@@ -1,6 +1,7 @@
 import { type ReadonlySignal, signal } from "@preact/signals";
 import { EngineError } from "./api";
 import { WorkerGone, WorkerLink } from "./link";
+import { workshopModule } from "./module";
 import type { CallName, Calls } from "./protocol";
 
 /** So many deaths and it is not started again: what it was asked takes the engine down. */
@@ -19,7 +20,7 @@ export interface Solo {
   end(): void;
 }
 
-export function createSolo(module: Promise<WebAssembly.Module>): Solo {
+export function createSolo(): Solo {
   const planner = signal<WorkerLink | null>(null);
   let isEnded = false;
   let deaths = 0;
@@ -33,7 +34,7 @@ export function createSolo(module: Promise<WebAssembly.Module>): Solo {
   }
 
   async function start(): Promise<WorkerLink> {
-    const link = new WorkerLink(await module);
+    const link = new WorkerLink(await workshopModule(), "workshop");
     link.onDeath = () => {
       planner.value = null;
       deaths += 1;

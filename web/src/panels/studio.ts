@@ -20,8 +20,6 @@ export interface Studio {
   readonly view: View;
   readonly planner: Planner;
   readonly engine: Engine;
-  /** The compiled engine, for views that take one of their own. */
-  readonly engineModule: Promise<WebAssembly.Module>;
   readonly toolbox: Toolbox;
   readonly actions: Actions;
   readonly messages: Messages;

@@ -13,14 +13,14 @@ import { createSpreading, type Spreading } from "./spreading";
 
 /** Lets those who are stuck spread out: looked for on request, shown on the stage, kept only when it is accepted. */
 export function SpreadOut({ index, report }: { index: number; report: SegmentReport | null }) {
-  const { document, engineModule, messages } = useStudio();
+  const { document, messages } = useStudio();
   const before = useRef(report);
   const [spreading] = useState(() =>
     createSpreading({
       document,
       index,
       search(scene, onProgress) {
-        const solo = createSolo(engineModule);
+        const solo = createSolo();
         const found = askSalvage(solo, scene, index, onProgress);
         return { found, end: solo.end };
       },
