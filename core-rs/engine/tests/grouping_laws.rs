@@ -229,7 +229,9 @@ proptest! {
         };
         let renamed = |groups: Vec<Vec<u32>>| {
             let mut all: Vec<Vec<u32>> = groups.iter().map(|set| set.iter().map(|agent| labels[*agent as usize]).collect()).collect();
-            all.iter_mut().for_each(|set: &mut Vec<u32>| set.sort_unstable());
+            for set in &mut all {
+                set.sort_unstable();
+            }
             all.sort();
             all
         };
