@@ -10,6 +10,9 @@ export interface Pixels {
 /** Why there is nothing to read a shape from: a sentence. */
 export class NoPixels extends Error {}
 
+/** What to give first: a sentence, and no mistake of anybody. */
+export class NothingYet extends Error {}
+
 /** Pixels of the longer side: what tells 5,000 places in a shape apart. */
 export const SIDE = 640;
 

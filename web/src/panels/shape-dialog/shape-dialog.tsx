@@ -150,7 +150,7 @@ function wordsOf(
   if (slots.kind === "refused") return { tone: "problem", text: `${capitalized(slots.problem.what)}.` };
   if (slots.kind === "working")
     return { tone: "plain", text: `Spreading agents, ${Math.round(100 * slots.progress)} %` };
-  return { tone: "plain", text: drawn.kind === "here" ? drawn.pixels.note : "" };
+  return { tone: "plain", text: drawn.kind === "here" ? drawn.pixels.note : drawn.what };
 }
 
 function capitalized(text: string): string {

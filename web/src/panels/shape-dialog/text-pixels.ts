@@ -1,4 +1,4 @@
-import { drawnPixels, NoPixels, type Pixels, SIDE } from "./pixels";
+import { drawnPixels, NoPixels, NothingYet, type Pixels, SIDE } from "./pixels";
 
 /** Characters of a text that makes a formation. */
 export const TEXT_LIMIT = 200;
@@ -12,7 +12,7 @@ const NOTHING = "\u{10FFFD}";
 /** Text in a font of this machine; the note says where the font is another one. */
 export function textPixels(text: string, font: string): Pixels {
   const letters = text.trim();
-  if (letters === "") throw new NoPixels("Type the text that the agents shall stand in.");
+  if (letters === "") throw new NothingYet("Type the text that the agents shall stand in.");
   const families = `${font.trim() ? `"${font.trim().replace(/["\\]/g, "")}", ` : ""}sans-serif`;
   const missing = [...letters].find((letter) => letter.trim() !== "" && isMissing(letter, families));
   if (missing) throw new NoPixels(`No font of this machine has “${missing}”.`);

@@ -1,7 +1,7 @@
 import { useEffect, useState } from "preact/hooks";
 import { pathPixels } from "./path-pixels";
 import { picturePixels } from "./picture-pixels";
-import type { Pixels } from "./pixels";
+import { NothingYet, type Pixels } from "./pixels";
 import { textPixels } from "./text-pixels";
 
 /** What a shape is drawn from. */
@@ -11,12 +11,13 @@ export type Origin =
   | { readonly kind: "path"; readonly data: string };
 
 export type Drawn =
-  | { readonly kind: "none" }
+  /** What to give, a sentence; empty where that is plain. */
+  | { readonly kind: "none"; readonly what: string }
   | { readonly kind: "here"; readonly pixels: Pixels }
   /** A sentence. */
   | { readonly kind: "refused"; readonly what: string };
 
-const NONE: Drawn = { kind: "none" };
+const NONE: Drawn = { kind: "none", what: "" };
 
 /** The pixels of an origin, drawn anew when it changes. */
 export function usePixels(origin: Origin): Drawn {
@@ -30,6 +31,7 @@ export function usePixels(origin: Origin): Drawn {
       try {
         return { kind: "here", pixels: await pixelsFrom(origin) };
       } catch (error) {
+        if (error instanceof NothingYet) return { kind: "none", what: error.message };
         return { kind: "refused", what: error instanceof Error ? error.message : String(error) };
       }
     };
