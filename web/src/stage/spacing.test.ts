@@ -37,7 +37,7 @@ describe("spacing", () => {
     );
   });
 
-  it("a lone agent and agents on one spot are drawn as large as any", () => {
+  it("a lone agent and agents on one spot are drawn at full size", () => {
     for (const places of [[], [[0, 0]], Array.from({ length: 5 }, () => [1, 1])] as Point[][]) {
       expect(discRadius(screenSpacing(neighborSpacing(Formation.from(places)), 10))).toBe(11);
     }

@@ -4,7 +4,7 @@ import { formatCount, lengthWithUnit } from "../../document/units";
 /** Where links are cut, by characters. */
 export interface LinkLimit {
   readonly name: string;
-  /** Null: any length. */
+  /** Null where a link is never cut. */
   readonly characters: number | null;
 }
 

@@ -1,0 +1,224 @@
+//! How agents move: motion, measure, modes, compare, spread.
+
+use serde_json::{Value, json};
+
+use crate::support::Desk;
+use crate::{number, parsed};
+
+#[test]
+fn motion_prints_a_row_a_frame_and_agent() {
+    let desk = Desk::new();
+    let text = desk.answer(&["motion", "keyframes.csv", "--method", "linear"]);
+    let rows: Vec<&str> = text.lines().collect();
+    // 30 frames a second for two seconds, both ends included, two agents a frame.
+    assert_eq!(rows.len(), 1 + 61 * 2);
+    assert_eq!(rows[0], "frame,time,agent,x,y,z");
+    assert_eq!(rows[1], "0,0,Ada,0,0,0");
+    assert_eq!(rows[122], "60,2,Ben,0,0,0");
+}
+
+#[test]
+fn motion_writes_the_kind_of_file_that_the_name_says() {
+    let desk = Desk::new();
+    assert_eq!(desk.answer(&["motion", "show.json", "--out", "out.csv"]), "");
+    assert_eq!(desk.read("out.csv"), desk.answer(&["motion", "show.json"]));
+    assert_eq!(desk.answer(&["motion", "show.json", "--out", "out.json"]), "");
+    assert_eq!(desk.read("out.json"), desk.answer(&["motion", "show.json", "--json"]));
+    assert_eq!(desk.names(), ["keyframes.csv", "out.csv", "out.json", "show.json"]);
+    let motion = parsed(&desk.read("out.json"));
+    assert_eq!(motion["times"], json!([0.0, 0.5, 1.0, 1.5, 2.0]));
+    assert_eq!(motion["positions"][4], json!([[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]));
+}
+
+#[test]
+fn motion_at_instants_answers_in_the_order_asked() {
+    let desk = Desk::new();
+    let motion = parsed(&desk.answer(&["motion", "show.json", "--at", "1,-1,0.123,99", "--json"]));
+    assert_eq!(motion["times"], json!([1.0, -1.0, 0.123, 99.0]));
+    assert_eq!(motion["positions"][0], json!([[1.0, 0.0], [2.0, 1.0], [1.0, 2.0], [0.0, 1.0]]));
+    assert_eq!(motion["positions"][1], json!([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]));
+    let t: f64 = 0.123 / 2.0;
+    let x = 2.0 * t * t * (3.0 - 2.0 * t);
+    assert!((number(&motion["positions"][2][0][0]) - x).abs() < 1e-15);
+    assert_eq!(motion["positions"][3], json!([[2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 0.0]]));
+}
+
+#[test]
+fn a_join_in_place_of_the_scenes_runs_through_its_keyframes() {
+    let desk = Desk::new();
+    desk.put(
+        "line.json",
+        r#"{ "format": "eigenform", "version": 1, "segments": [{ "method": "linear" }, { "method": "linear" }], "keyframes": [
+            { "positions": [[0, 0]] }, { "time": 2, "positions": [[2, 0]] }, { "time": 4, "positions": [[6, 0]] }] }"#,
+    );
+    // (0.5 · (2 − 0) + 0.5 · (6 − 2)) m a segment of 2 s; a separate segment stands at its ends.
+    for (join, speed) in [("smooth", 1.5), ("product", 1.5), ("separate", 0.0)] {
+        let motion = parsed(&desk.answer(&["motion", "line.json", "--join", join, "--at", "1.999,2,2.001", "--json"]));
+        let x: Vec<f64> = (0..3).map(|k| number(&motion["positions"][k][0][0])).collect();
+        assert!((x[1] - 2.0).abs() < 1e-12);
+        for way in [x[1] - x[0], x[2] - x[1]] {
+            assert!((way / 0.001 - speed).abs() < 0.01, "{join}: {way} m in a millisecond");
+        }
+    }
+}
+
+#[test]
+fn measure_has_its_keys_and_numbers() {
+    let desk = Desk::new();
+    let report = parsed(&desk.answer(&["measure", "show.json", "--minimum-distance", "1.5", "--json"]));
+    let segment = report["segments"][0].as_object().expect("one segment");
+    let keys: Vec<&str> = segment.keys().map(String::as_str).collect();
+    let mut expected = [
+        ["method", "options", "distortion", "turning", "clearance", "nearCollisions", "pathLength", "topSpeed"],
+        [
+            "rmsRadius",
+            "candidates",
+            "mutualInformation",
+            "speedInformation",
+            "structureDeviation",
+            "effortDeviation",
+            "targetDeviation",
+            "roughness",
+        ],
+    ]
+    .concat();
+    expected.sort_unstable();
+    assert_eq!(keys, expected);
+    assert_eq!(segment["method"], "linear");
+    assert_eq!(segment["options"], json!({ "timing": "smooth" }));
+    assert_eq!(segment["candidates"], json!([]));
+    // Halfway the corners of the square are the middles of its sides.
+    assert!((number(&segment["clearance"]["distance"]) - 2.0_f64.sqrt()).abs() < 1e-12);
+    assert_eq!(segment["clearance"]["time"], 1.0);
+    assert_eq!(segment["nearCollisions"], 4);
+    assert!((number(&segment["pathLength"]["mean"]) - 2.0).abs() < 1e-12);
+}
+
+#[test]
+fn measure_shows_what_auto_chose_from() {
+    let desk = Desk::new();
+    let report = parsed(&desk.answer(&["measure", "show.json", "--method", "auto", "--json"]));
+    let segment = &report["segments"][0];
+    let candidates = segment["candidates"].as_array().expect("a list");
+    assert!(candidates.len() > 5);
+    let chosen: Vec<&Value> = candidates.iter().filter(|candidate| candidate["chosen"] == true).collect();
+    assert_eq!(chosen.len(), 1);
+    assert_eq!(chosen[0]["method"], segment["method"]);
+    assert_eq!(chosen[0]["options"], segment["options"]);
+    let least = candidates.iter().map(|candidate| number(&candidate["score"])).fold(f64::INFINITY, f64::min);
+    assert!((number(&chosen[0]["score"]) - least).abs() < 1e-12);
+}
+
+#[test]
+fn modes_of_a_square_are_those_of_the_cycle_of_four() {
+    let desk = Desk::new();
+    let text = desk.answer(&["modes", "show.json", "--keyframe", "0", "--json", "--vectors"]);
+    let modes = parsed(&text);
+    // Weights are 1/2: half of 0, 2, 2, 4.
+    for (value, expected) in modes["eigenvalues"].as_array().expect("a list").iter().zip([0.0, 1.0, 1.0, 2.0]) {
+        assert!((number(value) - expected).abs() < 1e-12);
+    }
+    assert_eq!(modes["ties"], json!([[0, 1, 0.5], [0, 3, 0.5], [1, 2, 0.5], [2, 3, 0.5]]));
+    for (agent, position) in [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].into_iter().enumerate() {
+        for axis in 0..2 {
+            let sum: f64 = (0..4).map(|k| number(&modes["vectors"][k][agent]) * number(&modes["coefficients"][k][axis])).sum();
+            assert!((sum - position[axis]).abs() < 1e-12, "the modes add up to the formation");
+        }
+    }
+    let without = parsed(&desk.answer(&["modes", "show.json", "--keyframe", "0", "--json"]));
+    assert_eq!(without.as_object().expect("an object").len(), 2);
+}
+
+#[test]
+fn overrides_count_and_leave_the_rest() {
+    let desk = Desk::new();
+    let scene = desk.answer(&[
+        "link",
+        "show.json",
+        "--method",
+        "spectral",
+        "--minimum-distance",
+        "0.5",
+        "--join",
+        "separate",
+        "--avoidance",
+        "false",
+    ]);
+    let scene = parsed(&desk.answer(&["open", scene.trim()]));
+    assert_eq!(scene["minimumDistance"], 0.5);
+    assert_eq!(scene["segments"][0]["method"], "spectral");
+    assert_eq!(scene["frameRate"], 2.0);
+}
+
+#[test]
+fn two_who_change_places_are_kept_apart() {
+    let desk = Desk::new();
+    let straight = ["keyframes.csv", "--method", "linear", "--minimum-distance", "0.4"];
+    let measured = |typed: &[&str]| parsed(&desk.answer(&[&["measure", "--json"], &straight[..], typed].concat()))["segments"][0].clone();
+    let (free, apart) = (measured(&[]), measured(&["--avoidance"]));
+    assert_eq!(free["clearance"]["distance"], 0.0);
+    assert_eq!((&free["unsolved"], &free["deviation"]), (&Value::Null, &Value::Null));
+    assert_eq!((&apart["unsolved"], &apart["guideClearance"]["distance"]), (&json!([]), &json!(0.0)));
+    assert!(number(&apart["clearance"]["distance"]) >= 0.4 - 1e-6 && number(&apart["deviation"]["max"]) > 0.2, "{apart}");
+    // At frames, as at the keyframes, an instant asked for is the frame itself.
+    let at = |typed: &[&str]| desk.answer(&[&["motion", "--avoidance"], &straight[..], typed].concat());
+    let [frames, instants] = [&["--json"][..], &["--at", "0,0.5,1,2"]].map(|typed| parsed(&at(typed)));
+    for (instant, frame) in [0, 15, 30, 60].into_iter().enumerate() {
+        assert_eq!(instants["positions"][instant], frames["positions"][frame]);
+    }
+}
+
+#[test]
+fn ways_are_compared_by_their_names_and_those_that_no_scene_has_too() {
+    let desk = Desk::new();
+    let methods = ["linear", "crowd", "crowd-no-feedback", "social-force-guide", "social-force"];
+    let told = parsed(&desk.answer(&["compare", "show.json", "--methods", &methods.join(","), "--minimum-distance", "0.5", "--json"]));
+    let rows = told["segments"][0]["methods"].as_array().expect("a row a method");
+    assert_eq!(rows.iter().map(|row| row["method"].as_str().expect("a name")).collect::<Vec<_>>(), methods);
+    for row in rows {
+        for key in ["mutualInformation", "speedInformation", "structureDeviation", "effortDeviation", "targetDeviation"] {
+            assert!(row[key]["mean"].is_number() && row[key]["max"].is_number(), "{key} of {row}");
+        }
+        assert_eq!(row["curves"]["times"].as_array().map(Vec::len), Some(5));
+    }
+    assert_eq!((&rows[0]["time"], &rows[0]["arrivalError"]), (&json!(2.0), &Value::Null));
+    assert!(rows[4]["arrivalError"]["max"].is_number() && rows[4]["unsolved"].is_array());
+    let table = desk.answer(&["compare", "show.json", "--methods", "linear,social-force"]);
+    assert_eq!(
+        table.lines().map(|line| line.split_whitespace().next()).collect::<Vec<_>>(),
+        ["keyframe", "method", "linear", "social-force"].map(Some)
+    );
+}
+
+#[test]
+fn spread_gives_those_who_are_stuck_room_and_leaves_all_else() {
+    let desk = Desk::new();
+    let outcome = desk.run(&["spread", "show.json"]);
+    assert_eq!((outcome.code, outcome.stderr.as_str()), (0, ""));
+    assert_eq!(parsed(&outcome.stdout)["keyframes"].as_array().map(Vec::len), Some(2));
+    assert_eq!(desk.run(&["spread", "show.json", "--segment", "1"]).code, 2);
+    let block = |x: f64, y: f64| (0..9).map(move |k| [x + f64::from(k % 3), y + f64::from(k / 3)]);
+    let keyframes = json!([
+        { "positions": block(-6.0, 0.0).chain(block(0.0, -6.0)).collect::<Vec<_>>() },
+        { "time": 6, "positions": block(6.0, 0.0).chain(block(0.0, 6.0)).collect::<Vec<_>>() },
+    ]);
+    let scene = json!({
+        "format": "eigenform", "version": 1, "minimumDistance": 0.8, "join": "smooth", "keyframes": keyframes,
+        "segments": [{ "method": "linear", "avoidance": true }],
+    });
+    desk.put("stuck.json", &scene.to_string());
+    let unsolved = |name: &str| {
+        let report = parsed(&desk.answer(&["measure", name, "--json"]));
+        report["segments"]
+            .as_array()
+            .expect("segments")
+            .iter()
+            .map(|segment| segment["unsolved"].as_array().map_or(0, Vec::len))
+            .sum::<usize>()
+    };
+    assert!(unsolved("stuck.json") > 0);
+    let outcome = desk.run(&["spread", "stuck.json"]);
+    assert!(outcome.stderr.starts_with("note: transition 0: ") && outcome.stderr.contains("times as fast"), "{}", outcome.stderr);
+    desk.put("apart.json", &outcome.stdout);
+    assert_eq!(unsolved("apart.json"), 0);
+}
