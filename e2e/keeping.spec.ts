@@ -143,7 +143,11 @@ test("what is drawn before the engine has come is not lost to what comes with it
     await route.continue();
   });
   await studio.open();
-  await page.keyboard.press("d");
+  // The keys are let in a moment after the page is drawn.
+  await expect(async () => {
+    await page.keyboard.press("d");
+    await expect(studio.tool("Draw")).toHaveAttribute("aria-pressed", "true", { timeout: 100 });
+  }).toPass();
   await page.keyboard.press("Enter");
   const count = studio.tab("Agents");
   await expect(count).toContainText("12");
