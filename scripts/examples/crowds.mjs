@@ -1,8 +1,4 @@
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { join } from "node:path";
-import { root } from "../steps/run.mjs";
+import { placesIn } from "./engine.mjs";
 import { Show } from "./show.mjs";
 import { runner } from "./silhouettes.mjs";
 
@@ -12,7 +8,7 @@ const STRAIGHT = { kind: "transition", method: "linear" };
 
 /** The character for "bird" in four hands, from a picture scratched into bone to the strokes of today; 400 agents. */
 export function bird() {
-  const drawn = (strokes) => placesIn(brushed(strokes, 6.5), 400, 42);
+  const drawn = (strokes) => spread(brushed(strokes, 6.5), 400, 42);
   return crowd("Bird in four hands", 400)
     .keyframe({ name: "Bone", time: 0, hold: 1 }, { all: drawn(BONE) })
     .keyframe({ name: "Bronze", time: 7, hold: 1 }, { all: drawn(BRONZE) })
@@ -24,9 +20,9 @@ export function bird() {
 /** Somebody runs across the field and back; 600 agents. */
 export function runningMan() {
   const outlines = runner().map((outline) => `M ${outline.map(([x, y]) => `${x} ${-y}`).join(" L ")} Z`);
-  const figure = placesIn(`<path d="${outlines.join(" ")}"/>`, 600, 40);
+  const figure = spread(`<path d="${outlines.join(" ")}"/>`, 600, 40);
   return crowd("Running man", 600)
-    .keyframe({ name: "Round", time: 0, hold: 1 }, { all: placesIn('<circle cx="50" cy="50" r="25"/>', 600, 30) })
+    .keyframe({ name: "Round", time: 0, hold: 1 }, { all: spread('<circle cx="50" cy="50" r="25"/>', 600, 30) })
     .keyframe({ name: "There", time: 8, hold: 1 }, { all: figure })
     .keyframe({ name: "And back", time: 16, hold: 1 }, { all: figure.map(([x, y]) => [-x, y]) })
     .toScene([STRAIGHT, STRAIGHT]);
@@ -37,14 +33,18 @@ export function fighters() {
   const goose = brushed(["M 8 84 L 50 18 L 92 84"], 13);
   const hook = brushed(["M 14 20 L 14 62 C 14 84 36 84 36 64 M 14 30 L 86 30 M 86 20 L 86 62 C 86 84 64 84 64 64"], 10);
   return crowd("Awl, goose, hook and round", 300)
-    .keyframe({ name: "Awl", time: 0, hold: 1 }, { all: placesIn('<path d="M 50 10 L 82 90 L 18 90 Z"/>', 300, 24) })
-    .keyframe({ name: "Goose", time: 6, hold: 1 }, { all: placesIn(goose, 300, 44) })
-    .keyframe({ name: "Hook", time: 12, hold: 1 }, { all: placesIn(hook, 300, 44) })
+    .keyframe({ name: "Awl", time: 0, hold: 1 }, { all: spread('<path d="M 50 10 L 82 90 L 18 90 Z"/>', 300, 24) })
+    .keyframe({ name: "Goose", time: 6, hold: 1 }, { all: spread(goose, 300, 44) })
+    .keyframe({ name: "Hook", time: 12, hold: 1 }, { all: spread(hook, 300, 44) })
     .keyframe(
       { name: "Round", time: 18, hold: 1 },
-      { all: placesIn('<circle cx="50" cy="50" r="32" fill="none" stroke="black" stroke-width="16"/>', 300, 36) },
+      { all: spread('<circle cx="50" cy="50" r="32" fill="none" stroke="black" stroke-width="16"/>', 300, 36) },
     )
     .toScene([STRAIGHT, STRAIGHT, STRAIGHT]);
+}
+
+function spread(drawing, count, width) {
+  return placesIn(drawing, count, width, APART);
 }
 
 function crowd(title, count) {
@@ -56,21 +56,6 @@ function crowd(title, count) {
 function brushed(strokes, width) {
   const ends = 'stroke-linecap="round" stroke-linejoin="round"';
   return `<path d="${strokes.join(" ")}" fill="none" stroke="black" stroke-width="${width}" ${ends}/>`;
-}
-
-/** Places in a drawing `width` meters wide, by the engine's command line. */
-function placesIn(drawing, count, width) {
-  const folder = mkdtempSync(join(tmpdir(), "eigenform-"));
-  const file = join(folder, "shape.svg");
-  try {
-    writeFileSync(file, `<svg xmlns="http://www.w3.org/2000/svg" viewBox="-50 -50 200 200">${drawing}</svg>`);
-    const asked = ["shape", file, "--agents", count, "--width", width, "--minimum-distance", APART].map(String);
-    const words = ["run", "-q", "-p", "eigenform-cli", "--", ...asked];
-    const scene = JSON.parse(execFileSync("cargo", words, { cwd: `${root}/core-rs`, encoding: "utf8" }));
-    return scene.keyframes[0].positions;
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
 }
 
 /** A bird seen from the side, as one scratches it: beak, body, wing, tail, claws. */

@@ -57,8 +57,8 @@ export function createDesk({ document, engine, planner, messages, intake, addres
     services: {
       address,
       sceneToShare,
-      loadExamples: async () => (await import("./gallery")).EXAMPLES,
-      loadPreviews: async () => (await import("./gallery")).loadPreviews(),
+      loadExamples: async () => (await import("./gallery/sections")).SECTIONS,
+      loadPreview: async (id) => (await import("./gallery/previews")).loadPreview(id),
       async openExample({ id, title, view }) {
         try {
           if (view?.kind === "recording") return await intake.openText(await readRecording(id), title);

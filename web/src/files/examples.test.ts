@@ -2,7 +2,8 @@ import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { describe, expect, test } from "vitest";
 import { FIRST_EXAMPLE } from "./examples";
-import { EXAMPLES, unpack } from "./gallery";
+import { type StoredPreview, unpack } from "./gallery/previews";
+import { SECTIONS } from "./gallery/sections";
 
 type Place = readonly [x: number, y: number, height?: number];
 
@@ -25,6 +26,7 @@ function least(places: readonly Place[]): number {
   return nearest;
 }
 
+const EXAMPLES = SECTIONS.flatMap(({ cards }) => cards);
 const SCENES = EXAMPLES.filter(({ view }) => view?.kind !== "recording");
 
 describe.each(SCENES)("the example $id", ({ id, title, agentCount, keyframeCount }) => {
@@ -45,11 +47,7 @@ describe.each(SCENES)("the example $id", ({ id, title, agentCount, keyframeCount
 });
 
 test.each(EXAMPLES)("$id has a preview of all its agents", ({ id, agentCount }) => {
-  const previews = JSON.parse(publicFile("previews.json")) as Record<string, Parameters<typeof unpack>[0]>;
-  const stored = previews[id];
-  expect(stored).toBeDefined();
-  if (!stored) return;
-  const preview = unpack(stored);
+  const preview = unpack(JSON.parse(publicFile(`previews/${id}.json`)) as StoredPreview);
   expect(preview.colors).toHaveLength(agentCount);
   expect(preview.xy).toHaveLength(preview.sampleCount * agentCount * 2);
 });

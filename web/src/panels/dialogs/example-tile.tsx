@@ -4,6 +4,7 @@ import { usePalette } from "../timeline/use-paint";
 import { focusLate } from "./frame";
 import { drawPreview } from "./preview-drawing";
 import type { ExampleCard, Preview } from "./services";
+import { usePreview } from "./use-preview";
 
 /** Where a card that does not play stands: late enough to show the way, early enough to show the motion. */
 const RESTING_PLACE = 0.75;
@@ -14,19 +15,20 @@ const LONGEST_LOOP = 5;
 
 export interface ExampleTileProps {
   readonly example: ExampleCard;
-  /** Null while it loads. */
-  readonly preview: Preview | null;
+  loadPreview(id: string): Promise<Preview>;
   /** The focus starts here. */
   readonly isFirst: boolean;
   onOpen(): void;
 }
 
 /** A card of the gallery; it plays while it has the focus or the pointer. */
-export function ExampleTile({ example, preview, isFirst, onOpen }: ExampleTileProps) {
+export function ExampleTile({ example, loadPreview, isFirst, onOpen }: ExampleTileProps) {
   const button = useRef<HTMLButtonElement>(null);
   const canvas = useRef<HTMLCanvasElement>(null);
   const bar = useRef<HTMLElement>(null);
   const palette = usePalette();
+  const answer = usePreview(canvas, () => loadPreview(example.id));
+  const preview = answer.kind === "here" ? answer.value : null;
   const [isPointed, setPointed] = useState(false);
   const [isFocused, setFocused] = useState(false);
   const isPlaying = (isPointed || isFocused) && preview !== null && !prefersStill();
@@ -72,6 +74,7 @@ export function ExampleTile({ example, preview, isFirst, onOpen }: ExampleTilePr
     >
       <span class="example-picture">
         <canvas ref={canvas} />
+        {answer.kind === "refused" && <small class="example-problem">{answer.problem.what}</small>}
         {isPlaying && (
           <i class="example-progress">
             <i ref={bar} />

@@ -11,7 +11,6 @@ import { useAnswer } from "./use-answer";
 export function ExamplesDialog({ services, dialogs }: DialogProps) {
   const { document, aside } = useStudio();
   const examples = useAnswer(services.loadExamples);
-  const previews = useAnswer(services.loadPreviews);
 
   async function open(example: ExampleCard, view?: ExampleView): Promise<void> {
     dialogs.close();
@@ -31,21 +30,21 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
       lead="It opens as your own copy. Your current scene stays one undo away."
       onClose={dialogs.close}
     >
-      {previews.kind === "refused" && (
+      {examples.kind === "refused" && (
         <p class="dialog-text" role="status">
-          The pictures could not be loaded: {previews.problem.what}
+          The examples could not be loaded: {examples.problem.what}
         </p>
       )}
-      {sectionsOf(examples.kind === "here" ? examples.value : []).map(([section, cards], place) => (
-        <section key={section} class="gallery-section" aria-label={section}>
-          <h3>{section}</h3>
+      {(examples.kind === "here" ? examples.value : []).map(({ title, cards }, place) => (
+        <section key={title} class="gallery-section" aria-label={title}>
+          <h3>{title}</h3>
           <ul class="gallery">
             {cards.map((example, index) => (
               <li key={example.id}>
                 <ExampleTile
                   example={example}
                   isFirst={place === 0 && index === 0}
-                  preview={(previews.kind === "here" && previews.value.get(example.id)) || null}
+                  loadPreview={services.loadPreview}
                   onOpen={() => void open(example)}
                 />
                 {example.view && example.view.kind !== "recording" && (
@@ -71,10 +70,3 @@ const VIEW_WORDS: Readonly<Record<Exclude<ExampleView["kind"], "recording">, str
   compare: "Compare both ways",
   modes: "See its modes",
 };
-
-/** Cards by section, in the order in which the sections first occur. */
-function sectionsOf(cards: readonly ExampleCard[]): [section: string, cards: ExampleCard[]][] {
-  const sections = new Map<string, ExampleCard[]>();
-  for (const card of cards) sections.set(card.section, [...(sections.get(card.section) ?? []), card]);
-  return [...sections];
-}

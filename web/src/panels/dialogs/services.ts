@@ -1,8 +1,5 @@
 import type { Scene } from "../../document/scene";
 
-/** Where the gallery lists an example. */
-export type ExampleSection = "Shows" | "The paper's figures" | "Shapes of a crowd" | "Three dimensions";
-
 /** What an example is best looked at with, beside being played. */
 export type ExampleView =
   /** Two of its transitions, which do the same in two ways. */
@@ -12,10 +9,15 @@ export type ExampleView =
   /** It is no scene yet but a recording to make one from. */
   | { readonly kind: "recording" };
 
-/** An example as the gallery lists it; `id` names its file. */
+/** Examples that belong together, under one heading. */
+export interface ExampleSection {
+  readonly title: string;
+  readonly cards: readonly ExampleCard[];
+}
+
+/** An example as the gallery lists it; `id` names its files. */
 export interface ExampleCard {
   readonly id: string;
-  readonly section: ExampleSection;
   readonly title: string;
   readonly description: string;
   readonly agentCount: number;
@@ -23,7 +25,7 @@ export interface ExampleCard {
   readonly view?: ExampleView;
 }
 
-/** One transition of an example, small enough to load with the gallery. */
+/** One transition of an example, small enough for the gallery to load. */
 export interface Preview {
   readonly agentCount: number;
   readonly sampleCount: number;
@@ -41,9 +43,8 @@ export interface DialogServices {
   readonly address: string;
   /** The scene with what auto chose written down, as it is shared. */
   sceneToShare(): Scene;
-  loadExamples(): Promise<readonly ExampleCard[]>;
-  /** By example id. */
-  loadPreviews(): Promise<ReadonlyMap<string, Preview>>;
+  loadExamples(): Promise<readonly ExampleSection[]>;
+  loadPreview(id: string): Promise<Preview>;
   /** Answers whether it is open; if not, the person has been told why. */
   openExample(example: ExampleCard): Promise<boolean>;
   /** Hands the person a file named after the scene. */

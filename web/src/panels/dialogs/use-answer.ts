@@ -23,7 +23,8 @@ export function useAnswer<Value>(ask: () => Promise<Value>): Answer<Value> {
   return answer;
 }
 
-function problemOf(error: unknown): EngineProblem {
+/** What is known of what went wrong. */
+export function problemOf(error: unknown): EngineProblem {
   if (error instanceof EngineError) return error.problem;
   return { code: "unexpected", what: error instanceof Error ? error.message : String(error), where: "" };
 }
