@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use eigenform::adjacency::{AdjacencySpec, COMPLETE_GROUP_LIMIT};
 use eigenform::choice::{Alignment, Blend, Choice, MethodName, Order};
+use eigenform::edits::Constants;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::obstacle::ObstacleShape;
@@ -123,16 +124,19 @@ fn numbers_have_ranges() {
         changed(|scene| scene.groups = Arc::new(vec![Group { members: vec![0, 1], tie_weight: Some(factor), ..Group::default() }]))
     });
     let with_transition = |transition| changed(|scene| scene.tracks[0].segments = vec![Segment::Transition(transition)]);
-    let with_crowd = |crowd: CrowdSpec| with_transition(TransitionSpec { crowd, ..TransitionSpec::default() });
-    let usual = CrowdSpec::default();
-    check_range(&limits::CROWD[0].1, "segments[0].crowd.reactionTime", |reaction_time| with_crowd(CrowdSpec { reaction_time, ..usual }));
-    check_range(&limits::CROWD[3].1, "segments[0].crowd.reach", |reach| with_crowd(CrowdSpec { reach, ..usual }));
-    check_range(&limits::CROWD[7].1, "segments[0].crowd.binSize", |bin_size| with_crowd(CrowdSpec { bin_size, ..usual }));
+    let with_crowd = |constants: Constants| {
+        let crowd = CrowdSpec { constants, ..CrowdSpec::default() };
+        with_transition(TransitionSpec { crowd, ..TransitionSpec::default() })
+    };
+    let usual = Constants::default();
+    check_range(&limits::CROWD[0].1, "segments[0].crowd.reactionTime", |reaction_time| with_crowd(Constants { reaction_time, ..usual }));
+    check_range(&limits::CROWD[3].1, "segments[0].crowd.reach", |reach| with_crowd(Constants { reach, ..usual }));
+    check_range(&limits::CROWD[7].1, "segments[0].crowd.binSize", |bin_size| with_crowd(Constants { bin_size, ..usual }));
     for sectors in [1, 64] {
-        admits(&with_crowd(CrowdSpec { sectors, ..usual }));
+        admits(&with_crowd(Constants { sectors, ..usual }));
     }
     for sectors in [0, 65] {
-        refuses(&with_crowd(CrowdSpec { sectors, ..usual }), "out-of-range", "segments[0].crowd.sectors");
+        refuses(&with_crowd(Constants { sectors, ..usual }), "out-of-range", "segments[0].crowd.sectors");
     }
     check_range(&limits::SHARING, "segments[0].sharing", |sharing| {
         with_transition(TransitionSpec { sharing, ..TransitionSpec::default() })

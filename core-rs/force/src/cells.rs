@@ -1,15 +1,22 @@
-//! Who is near whom: a uniform grid without borders.
+//! Who may be near whom: agents sorted by the cells of a grid without borders.
 //!
-//! The rows of cells are wound around a ring of buckets, so that agents far away cost nothing. Cells that share a bucket are told apart
-//! by distance, which is looked at anyway; the rows next to a cell never share its buckets, so no pair is met twice.
+//! The rows of cells are wound around a ring of buckets, so that agents far away cost nothing, and neighbors along a row lie side by
+//! side in memory. Cells that share a bucket are told apart by distance, which is looked at anyway; the rows next to a cell never
+//! share its buckets, so no pair is met twice.
 
-/// Buckets of the smallest ring: below this the five that a cell looks into would not differ.
+use std::ops::Range;
+
+/// Cells along the range: smaller ones hold fewer who are not near, and more of them are looked into.
+const CELLS_A_RANGE: usize = 2;
+
+/// Buckets of the smallest ring: below this those that a cell looks into would not differ.
 const LEAST_BUCKETS: usize = 64;
 
 /// Buckets an agent, at least.
 const BUCKETS_PER_AGENT: usize = 2;
 
-/// How far along the ring the next row begins, as a share of it: neither once nor twice that share is near a whole turn.
+/// How far along the ring the next row begins, as a share of it: neither once, twice, three nor four times that share is near a whole
+/// turn.
 const ROW_SHARE: f64 = 0.382;
 
 /// Agents by cell.
@@ -19,17 +26,17 @@ pub struct Cells {
     /// Where each bucket starts among the members; the end at last.
     starts: Vec<u32>,
     bucket_of: Vec<u32>,
-    /// Agents by bucket, and where they are.
     members: Vec<u32>,
-    x: Vec<f64>,
-    y: Vec<f64>,
 }
 
-/// Two agents near one another: `way` leads from the second to the first.
-pub struct Near {
-    pub agents: [usize; 2],
-    pub way: [f64; 2],
-    pub distance_squared: f64,
+/// Places among the members that hold everybody who may be near those of one bucket and come after them on the ring.
+pub struct Around {
+    /// The bucket itself.
+    pub own: Range<usize>,
+    /// Its row: from its own start on.
+    pub row: [Range<usize>; 2],
+    /// The rows behind.
+    pub behind: [[Range<usize>; 2]; CELLS_A_RANGE],
 }
 
 impl Cells {
@@ -40,47 +47,23 @@ impl Cells {
             starts: vec![0; buckets + 1],
             bucket_of: vec![0; agent_count],
             members: vec![0; agent_count],
-            x: vec![0.0; agent_count],
-            y: vec![0.0; agent_count],
         }
     }
 
-    /// Visits every pair nearer than `range` once, always in the same order.
-    pub fn for_each_pair(&mut self, x: &[f64], y: &[f64], range: f64, mut visit: impl FnMut(Near)) {
-        self.sort(x, y, range);
-        let buckets = self.starts.len() - 1;
-        let row = self.row;
-        let range_squared = range * range;
-        for bucket in 0..buckets {
-            let (from, end) = (self.starts[bucket] as usize, self.starts[bucket + 1] as usize);
-            for here in from..end {
-                let (at_x, at_y) = (self.x[here], self.y[here]);
-                let mut meet = |range: std::ops::Range<usize>| {
-                    for there in range {
-                        let way = [at_x - self.x[there], at_y - self.y[there]];
-                        let distance_squared = way[0] * way[0] + way[1] * way[1];
-                        if distance_squared < range_squared {
-                            let agents = [here, there].map(|place| self.members[place] as usize);
-                            visit(Near { agents, way, distance_squared });
-                        }
-                    }
-                };
-                meet(here + 1..end);
-                for step in [1, row - 1, row, row + 1] {
-                    let next = (bucket + step) & (buckets - 1);
-                    meet(self.starts[next] as usize..self.starts[next + 1] as usize);
-                }
-            }
-        }
+    /// Agents by bucket.
+    pub fn members(&self) -> &[u32] {
+        &self.members
     }
 
-    fn sort(&mut self, x: &[f64], y: &[f64], size: f64) {
-        let mask = self.starts.len() - 2;
+    /// Sorts agents anew, for pairs nearer than `range`.
+    pub fn sort(&mut self, x: &[f64], y: &[f64], range: f64) {
+        let size = range / CELLS_A_RANGE as f64;
+        let (mask, row) = (self.mask(), self.row as u64);
         self.starts.fill(0);
         for (bucket_of, (x, y)) in self.bucket_of.iter_mut().zip(x.iter().zip(y)) {
             // Around the ring a number below zero is one from its end.
             let [column, line] = [x, y].map(|along| ((along / size).floor() as i64).cast_unsigned());
-            let bucket = column.wrapping_add(line.wrapping_mul(self.row as u64)) as usize & mask;
+            let bucket = column.wrapping_add(line.wrapping_mul(row)) as usize & mask;
             *bucket_of = bucket as u32;
             self.starts[bucket] += 1;
         }
@@ -91,13 +74,34 @@ impl Cells {
         }
         for (agent, bucket) in self.bucket_of.iter().enumerate() {
             let next = &mut self.starts[*bucket as usize];
-            let place = *next as usize;
-            (self.members[place], self.x[place], self.y[place]) = (agent as u32, x[agent], y[agent]);
+            self.members[*next as usize] = agent as u32;
             *next += 1;
         }
         // Each start has become the next one's.
         self.starts.rotate_right(1);
         self.starts[0] = 0;
+    }
+
+    /// For every bucket that is not empty where to look for pairs: each pair is met once.
+    pub fn around(&self) -> impl Iterator<Item = Around> {
+        let run = |from: u32, end: u32| from as usize..end as usize;
+        let buckets = self.starts.windows(2).enumerate().filter(|(_, ends)| ends[0] < ends[1]);
+        buckets.map(move |(bucket, ends)| Around {
+            own: run(ends[0], ends[1]),
+            row: self.stretch(bucket, CELLS_A_RANGE + 1),
+            behind: std::array::from_fn(|k| self.stretch(bucket + (k + 1) * self.row - CELLS_A_RANGE, 2 * CELLS_A_RANGE + 1)),
+        })
+    }
+
+    /// So many buckets from one on; two runs where they pass the ring's end.
+    fn stretch(&self, from: usize, buckets: usize) -> [Range<usize>; 2] {
+        let (mask, start) = (self.mask(), |bucket: usize| self.starts[bucket] as usize);
+        let (from, end) = (from & mask, (from & mask) + buckets);
+        if end <= mask + 1 { [start(from)..start(end), 0..0] } else { [start(from)..self.members.len(), 0..start(end & mask)] }
+    }
+
+    fn mask(&self) -> usize {
+        self.starts.len() - 2
     }
 }
 
@@ -110,17 +114,23 @@ mod tests {
     proptest! {
         #[test]
         fn every_near_pair_is_met_once(places in prop::collection::vec((-9_i32..9, -9_i32..9), 0..90), far in prop_oneof![Just(0.0), Just(9e5)]) {
+            const RANGE: f64 = 1.5;
             let mut x: Vec<f64> = places.iter().map(|place| 0.7 * f64::from(place.0)).collect();
             let mut y: Vec<f64> = places.iter().map(|place| 0.7 * f64::from(place.1)).collect();
             x.push(far);
             y.push(-far);
+            let is_near = |a: usize, b: usize| (x[a] - x[b]).powi(2) + (y[a] - y[b]).powi(2) < RANGE * RANGE;
+            let mut cells = Cells::new(x.len());
+            cells.sort(&x, &y, RANGE);
             let mut met = Vec::new();
-            Cells::new(x.len()).for_each_pair(&x, &y, 1.5, |near| {
-                let [a, b] = near.agents;
-                met.push((a.min(b), a.max(b)));
-            });
+            for Around { own, row: [row, rest], behind } in cells.around() {
+                for here in own {
+                    let others = (here + 1..row.end).chain(rest.clone()).chain(behind.iter().flatten().cloned().flatten());
+                    let pairs = others.map(|there| [here, there].map(|place| cells.members()[place] as usize));
+                    met.extend(pairs.filter(|[a, b]| is_near(*a, *b)).map(|[a, b]| (a.min(b), a.max(b))));
+                }
+            }
             met.sort_unstable();
-            let is_near = |a: usize, b: usize| (x[a] - x[b]).powi(2) + (y[a] - y[b]).powi(2) < 2.25;
             let all = (0..x.len()).flat_map(|a| (a + 1..x.len()).map(move |b| (a, b)));
             prop_assert_eq!(met, all.filter(|&(a, b)| is_near(a, b)).collect::<Vec<_>>());
         }

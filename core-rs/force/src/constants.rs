@@ -3,6 +3,7 @@
 /// What a crowd's forces are made of, by the paper's symbols. Forces are accelerations. Lengths are in the crowd's unit: the
 /// defaults want the median spacing of its agents for one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "types", derive(ts_rs::TS), ts(rename_all = "camelCase"))]
 pub struct Constants {
     /// τ, seconds: how fast agents take up the velocity they want (equation 8).
     pub reaction_time: f64,

@@ -3,11 +3,12 @@
 use eigenform_apart::Outline;
 
 use crate::constants::Constants;
-use crate::feedback::{Bins, Feedback, Wishes};
+use crate::feedback::{Feedback, Sharing};
 use crate::groups::Groups;
 use crate::noise::noise;
 use crate::obstacles::Obstacles;
 use crate::repulsion::Repulsion;
+use crate::wishes::Wishes;
 
 /// Who is in a crowd; every list has an entry an agent.
 #[derive(Clone, Debug, Default)]
@@ -56,7 +57,7 @@ pub struct Crowd {
     aim_y: Vec<f64>,
     top_speed: Vec<f64>,
     wishes: Wishes,
-    bins: Bins,
+    sharing: Sharing,
     groups: Groups,
     repulsion: Repulsion,
     obstacles: Obstacles,
@@ -81,7 +82,7 @@ impl Crowd {
             aim_x: x.clone(),
             aim_y: y.clone(),
             wishes: Wishes::new(count),
-            bins: Bins::new(count, constants.sectors),
+            sharing: Sharing::new(count, constants.sectors),
             groups: Groups::new(group),
             repulsion: Repulsion::new(radius.iter().map(|radius| radius - usual_radius).collect()),
             constants,
@@ -113,7 +114,7 @@ impl Crowd {
         self.wish(within);
         if self.feedback.direction || self.feedback.speed {
             let state = [&self.x, &self.y, &self.vx, &self.vy].map(Vec::as_slice);
-            self.bins.feed_back(&self.constants, self.feedback, state, &mut self.wishes);
+            self.sharing.feed_back(&self.constants, self.feedback, state, &mut self.wishes);
         }
         self.gather_forces();
         for agent in 0..self.x.len() {

@@ -4,6 +4,7 @@
 //! the barycenter of the subgroup: one term an agent, and never more than A′.
 
 use crate::constants::Constants;
+use crate::exponential::exp;
 
 /// The subgroup of whoever has none.
 pub const NO_GROUP: u32 = u32::MAX;
@@ -29,9 +30,9 @@ impl Groups {
         !self.count.is_empty()
     }
 
-    /// Whether the agents push each other as strangers: one of them has a subgroup that the other has not.
-    pub fn are_apart(&self, [a, b]: [usize; 2]) -> bool {
-        self.of_agent[a] != self.of_agent[b]
+    /// By agent; who differs in it pushes each other as strangers.
+    pub fn of_agent(&self) -> &[u32] {
+        &self.of_agent
     }
 
     /// Adds the attraction to forces.
@@ -45,7 +46,7 @@ impl Groups {
             let way = [self.x[group] - x[agent], self.y[group] - y[agent]];
             let distance = (way[0] * way[0] + way[1] * way[1]).sqrt();
             if distance > 0.0 {
-                let pull = constants.group_strength * (1.0 - libm::exp(-distance / constants.group_reach)) / distance;
+                let pull = constants.group_strength * (1.0 - exp(-distance / constants.group_reach)) / distance;
                 fx[agent] += pull * way[0];
                 fy[agent] += pull * way[1];
             }

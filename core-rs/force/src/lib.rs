@@ -8,20 +8,32 @@
 
 #![forbid(unsafe_code)]
 
+mod bins;
 mod cells;
+mod columns;
 mod constants;
 mod crowd;
+mod exponential;
 mod feedback;
 mod groups;
 mod information;
+mod near;
 mod noise;
 mod obstacles;
+mod push;
+mod ranks;
 mod repulsion;
+mod sectors;
 mod slots;
+mod speeds;
+mod wishes;
 
+pub use columns::Columns;
 pub use constants::Constants;
 pub use crowd::{Bodies, Crowd, Setting};
 pub use eigenform_apart::Outline;
 pub use feedback::Feedback;
 pub use groups::NO_GROUP;
-pub use information::{Information, SPEED_CLASSES, directions_into, speeds_into};
+pub use information::Information;
+pub use sectors::Sectors;
+pub use speeds::{SPEED_CLASSES, speeds_into};

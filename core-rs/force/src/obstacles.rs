@@ -3,6 +3,7 @@
 use eigenform_apart::Outline;
 
 use crate::constants::Constants;
+use crate::exponential::exp;
 
 /// The push ends where it has fallen to e⁻⁶, 1/400, of its start.
 const REACHES: f64 = 6.0;
@@ -46,7 +47,7 @@ impl Obstacles {
                 let (clearance, out) = outline.clearance(at);
                 let reaches = (clearance - radius) / constants.reach;
                 if reaches < REACHES {
-                    let force = constants.strength * libm::exp(-reaches.max(-DEEPEST));
+                    let force = constants.strength * exp(-reaches.max(-DEEPEST));
                     fx[agent] += force * out[0];
                     fy[agent] += force * out[1];
                 }

@@ -51,11 +51,6 @@ impl Slots {
     }
 }
 
-/// Which bin a coordinate is in.
-pub fn bin(along: f64, bin_size: f64) -> i64 {
-    (along / bin_size).floor() as i64
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

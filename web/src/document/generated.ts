@@ -284,15 +284,15 @@ directionFeedback: boolean,
  */
 speedFeedback: boolean, 
 /**
- * τ, seconds: how fast agents take up the velocity they want.
+ * τ, seconds: how fast agents take up the velocity they want (equation 8).
  */
 reactionTime: number, 
 /**
- * Seconds that agents look ahead on the guide.
+ * Seconds that agents look ahead on their way; where that is, they aim. Not of the paper, whose aim is the target itself.
  */
 lookAhead: number, 
 /**
- * A: repulsion of agents and obstacles.
+ * A: repulsion of agents and of obstacles (equations 9 and 10).
  */
 strength: number, 
 /**
@@ -300,7 +300,7 @@ strength: number,
  */
 reach: number, 
 /**
- * A′: attraction within a group and repulsion between groups.
+ * A′: attraction within a subgroup and repulsion between them (equations 21 and 22).
  */
 groupStrength: number, 
 /**
@@ -308,15 +308,15 @@ groupStrength: number,
  */
 groupReach: number, 
 /**
- * ξ: the greatest random acceleration along each axis.
+ * ξ: the greatest random acceleration along each axis (equation 7).
  */
 fluctuation: number, 
 /**
- * R: the side of the bins within which agents share direction and speed.
+ * R: the side of the bins within which agents share direction and speed (equations 12 and 13).
  */
 binSize: number, 
 /**
- * K: sectors of a full turn.
+ * K: sectors of a full turn (equation 14); whoever rests has one more.
  */
 sectors: number, };
 

@@ -112,7 +112,7 @@ fn try_way(performer: &mut Performer, scene: &Scene, index: usize, (method, way)
         }
         Way::WithoutGroups => {
             transition.method = MethodName::Crowd;
-            transition.crowd.group_strength = 0.0;
+            transition.crowd.constants.group_strength = 0.0;
             None
         }
         Way::Counterpart(counterpart) => Some(counterpart),

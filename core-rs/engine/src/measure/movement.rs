@@ -2,7 +2,7 @@
 //!
 //! Found on request only: who is nearest to whom and who would best go where costs more than all other measures together.
 
-use eigenform_force::{Information, SPEED_CLASSES, directions_into, speeds_into};
+use eigenform_force::{Columns, Information, SPEED_CLASSES, Sectors, speeds_into};
 use glam::DVec3;
 use serde::Serialize;
 
@@ -106,6 +106,8 @@ fn evenly(count: usize, most: usize) -> Vec<usize> {
 /// What places tell of velocities.
 struct Tells {
     spacing: f64,
+    columns: [Columns; 2],
+    sectors: Sectors,
     information: [Information; 2],
     classes: Vec<u32>,
 }
@@ -113,8 +115,10 @@ struct Tells {
 impl Tells {
     fn new(motion: &Motion) -> Self {
         let count = motion.agent_count();
-        let information = [SECTORS + 1, SPEED_CLASSES].map(|classes| Information::new(count, classes));
-        Self { spacing: motion.spacing(), information, classes: vec![0; count] }
+        let sectors = Sectors::new(SECTORS);
+        let information = [sectors.class_count(), SPEED_CLASSES].map(|classes| Information::new(count, classes));
+        let columns = [Columns::new(count), Columns::new(count)];
+        Self { spacing: motion.spacing(), columns, sectors, information, classes: vec![0; count] }
     }
 
     /// `I_d` and `I_v` at a sample, of velocities between the samples beside it.
@@ -125,12 +129,14 @@ impl Tells {
         let (x, y): (Vec<f64>, Vec<f64>) = places.map(|p| (p.x, p.y)).unzip();
         let steps = motion.sample(before).iter().zip(motion.sample(after));
         let (vx, vy): (Vec<f64>, Vec<f64>) = steps.map(|(from, to)| ((*to - *from) / seconds).into()).unzip();
-        let bin = BIN_SIZE * self.spacing;
+        let [column, row] = &mut self.columns;
+        column.sort(&x, BIN_SIZE * self.spacing);
+        row.sort(&y, BIN_SIZE * self.spacing);
         let [directions, speeds] = &mut self.information;
-        directions_into(&vx, &vy, SECTORS, REST * self.spacing, &mut self.classes);
-        let of_direction = directions.of(&x, &y, &self.classes, bin);
+        self.sectors.classes_into(&vx, &vy, REST * self.spacing, &mut self.classes);
+        let of_direction = directions.of([column, row], &self.classes);
         speeds_into(&vx, &vy, &mut self.classes);
-        (of_direction, speeds.of(&x, &y, &self.classes, bin))
+        (of_direction, speeds.of([column, row], &self.classes))
     }
 }
 

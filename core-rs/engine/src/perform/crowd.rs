@@ -71,7 +71,7 @@ fn rules(brief: &Brief, guide: &Motion) -> CrowdRules {
     // Paper A has neither feedback nor subgroups in its forces.
     let is_crowd = brief.counterpart.is_none();
     CrowdRules {
-        constants: told.constants(),
+        constants: told.constants,
         feedback: Feedback { direction: is_crowd && told.direction_feedback, speed: is_crowd && told.speed_feedback },
         unit: guide.spacing(),
         radius: brief.agents.iter().map(|agent| agent.radius).collect(),

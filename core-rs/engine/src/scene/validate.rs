@@ -184,7 +184,7 @@ fn check_crowd(mut crowd: CrowdSpec, place: &Place) -> Result<(), Error> {
     for ((name, value), (_, range)) in crowd.numbers_mut().into_iter().zip(&limits::CROWD) {
         within(*value, range, place.field(name))?;
     }
-    within(f64::from(crowd.sectors), &limits::SECTORS, place.field("sectors"))
+    within(f64::from(crowd.constants.sectors), &limits::SECTORS, place.field("sectors"))
 }
 
 /// A method that needs no choosing and no guide.

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use eigenform::adjacency::{AdjacencySpec, Base, Weights};
 use eigenform::assignment::{AssignmentSpec, Cost};
 use eigenform::choice::{Alignment, Blend, Choice, Join, MethodName, Order, Timing};
+use eigenform::edits::Constants;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::obstacle::ObstacleShape;
@@ -190,14 +191,15 @@ fn segment(agent_count: usize) -> impl Strategy<Value = Segment> {
 }
 
 fn crowd() -> impl Strategy<Value = CrowdSpec> {
-    let usual = CrowdSpec::default();
+    let usual = Constants::default();
     let forces = (plain_or(usual.strength, 0.0..=100.0), plain_or(usual.reach, 0.01..=5.0), plain_or(usual.group_strength, 0.0..=100.0));
     let told = (certain_method(), any::<bool>(), any::<bool>(), forces, plain_or(usual.fluctuation, 0.0..=100.0), 1_u32..=64);
     let crowd =
         told.prop_map(move |(guide, direction_feedback, speed_feedback, (strength, reach, group_strength), fluctuation, sectors)| {
-            CrowdSpec { guide, direction_feedback, speed_feedback, strength, reach, group_strength, fluctuation, sectors, ..usual }
+            let constants = Constants { strength, reach, group_strength, fluctuation, sectors, ..usual };
+            CrowdSpec { guide, direction_feedback, speed_feedback, constants }
         });
-    prop_oneof![Just(usual), crowd]
+    prop_oneof![Just(CrowdSpec::default()), crowd]
 }
 
 fn assignment(agent_count: usize) -> impl Strategy<Value = AssignmentSpec> {

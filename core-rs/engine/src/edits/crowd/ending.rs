@@ -24,15 +24,15 @@ pub(super) fn ended(offsets: &Paths, times: &[f64]) -> Paths {
 fn faded(offsets: &Paths, times: &[f64], is_faded: [bool; 2]) -> Paths {
     let (start, end) = (times[0], times[times.len() - 1]);
     let stretch = STRETCH.min(GREATEST_SHARE * (end - start));
+    let share = |from: f64, is_faded: bool| {
+        let left = if is_faded { (from / stretch).clamp(0.0, 1.0) } else { 1.0 };
+        left * left * (3.0 - 2.0 * left)
+    };
+    let shares: Vec<f64> = times.iter().map(|time| share(time - start, is_faded[0]) * share(end - time, is_faded[1])).collect();
     let mut ended = offsets.clone();
     for axis in 0..2 {
         for agent in 0..offsets.agent_count() {
-            for (offset, time) in ended.path_mut(axis, agent).iter_mut().zip(times) {
-                for (from, _) in [time - start, end - time].into_iter().zip(is_faded).filter(|(_, is_faded)| *is_faded) {
-                    let left = (from / stretch).clamp(0.0, 1.0);
-                    *offset *= left * left * (3.0 - 2.0 * left);
-                }
-            }
+            ended.path_mut(axis, agent).iter_mut().zip(&shares).for_each(|(offset, share)| *offset *= share);
         }
     }
     ended

@@ -57,8 +57,8 @@ impl CrowdJob {
     /// When the lists of the rules do not have an entry an agent.
     pub fn new(rules: CrowdRules, guide: Motion) -> Self {
         let offsets = Paths::new(guide.agent_count(), guide.times().len(), 2);
-        let guide = Guide::new(guide, rules.unit);
-        let crowd = crowd(&rules, &guide);
+        let mut guide = Guide::new(guide, rules.unit);
+        let crowd = crowd(&rules, &mut guide);
         Self { rules, guide, crowd, at: 0, offsets, arrived_at: None, overtime: 0.0 }
     }
 
@@ -163,14 +163,14 @@ impl CrowdJob {
     }
 }
 
-fn crowd(rules: &CrowdRules, guide: &Guide) -> Crowd {
+fn crowd(rules: &CrowdRules, guide: &mut Guide) -> Crowd {
     let agent_count = guide.motion().agent_count();
-    let places = |time: f64| {
+    let [start, _] = guide.span();
+    let mut places = |time: f64| {
         let (mut x, mut y) = (vec![0.0; agent_count], vec![0.0; agent_count]);
         guide.places_into(time, [&mut x, &mut y]);
         (x, y)
     };
-    let [start, _] = guide.span();
     let (seconds, (x, y)) = (1.0 / MOMENTS, places(start));
     let (next_x, next_y) = places(start + seconds);
     let velocity = |from: &[f64], to: Vec<f64>| to.into_iter().zip(from).map(|(to, from)| (to - from) / seconds).collect();
@@ -201,7 +201,7 @@ fn crowd(rules: &CrowdRules, guide: &Guide) -> Crowd {
 
 fn length(offsets: &Paths, agent: usize, k: usize) -> f64 {
     let [x, y, _] = offsets.place(agent, k);
-    x.hypot(y)
+    (x * x + y * y).sqrt()
 }
 
 fn mean_and_greatest(lengths: impl Iterator<Item = f64>) -> [f64; 2] {

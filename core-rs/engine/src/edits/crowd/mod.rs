@@ -7,6 +7,7 @@
 mod ending;
 mod guide;
 mod job;
+mod row;
 #[cfg(test)]
 mod tests;
 

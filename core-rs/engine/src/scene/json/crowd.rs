@@ -32,7 +32,7 @@ pub(super) fn crowd(value: Value) -> Result<CrowdSpec, Error> {
     for (name, number) in crowd.numbers_mut() {
         *number = fields.number(name, *number)?;
     }
-    crowd.sectors = fields.whole("sectors", crowd.sectors)?;
+    crowd.constants.sectors = fields.whole("sectors", crowd.constants.sectors)?;
     Ok(crowd)
 }
 
@@ -51,6 +51,6 @@ pub(super) fn write_crowd(out: &mut Layout, crowd: &CrowdSpec) {
         for ((name, value), (_, usual)) in crowd.numbers_mut().into_iter().zip(default.numbers_mut()) {
             number(out, name, *value, *usual);
         }
-        number(out, "sectors", f64::from(crowd.sectors), f64::from(default.sectors));
+        number(out, "sectors", f64::from(crowd.constants.sectors), f64::from(default.constants.sectors));
     });
 }

@@ -67,9 +67,9 @@ impl Fields<'_> {
         for ((_, value), (_, usual)) in crowd.numbers_mut().into_iter().zip(usual.numbers_mut()) {
             self.code_usual(*usual, value);
         }
-        let mut sectors = f64::from(crowd.sectors);
-        self.code_usual(f64::from(usual.sectors), &mut sectors);
-        crowd.sectors = as_integer(sectors)?;
+        let mut sectors = f64::from(crowd.constants.sectors);
+        self.code_usual(f64::from(usual.constants.sectors), &mut sectors);
+        crowd.constants.sectors = as_integer(sectors)?;
         Ok(())
     }
 }
