@@ -67,6 +67,7 @@ export function strewnShow(agentCount: number, keyframeCount: number, seconds: n
     avoidance: false,
     hierarchy: false,
     nodes: [],
+    path: null,
     crowd: CROWD_DEFAULTS,
     assignment: null,
   } as const;

@@ -42,7 +42,7 @@ fn bad_input_is_two_and_says_where() {
     desk.put("other.json", "{\"format\": \"else\", \"version\": 1, \"keyframes\": []}");
     desk.put("newer.json", &SHOW.replace("\"version\": 1", "\"version\": 2"));
     desk.put("unknown.json", &SHOW.replace("\"frameRate\"", "\"frameRatio\""));
-    desk.put("drawn.json", &SHOW.replace("\"linear\"", "\"linear\", \"path\": [[0, 0]]"));
+    desk.put("drawn.json", &SHOW.replace("\"linear\"", "\"linear\", \"path\": [[0, 0], [0, 0]]"));
     desk.put("heavy.json", &SHOW.replace("\"linear\"", "\"crowd\", \"crowd\": { \"mass\": 80 }"));
     desk.put("empty.csv", "");
     desk.put("cut.csv", "keyframe,time,agent,group,x,y\n0,0,a,,1\n");
@@ -52,7 +52,7 @@ fn bad_input_is_two_and_says_where() {
         (&["check", "other.json"], "not-a-scene: "),
         (&["check", "newer.json"], "newer-version: "),
         (&["check", "unknown.json"], "unknown-field: "),
-        (&["motion", "drawn.json"], "unsupported: "),
+        (&["motion", "drawn.json"], "no-length: "),
         (&["motion", "heavy.json"], "unknown-field: "),
         (&["check", "empty.csv"], "empty: "),
         (&["check", "cut.csv"], "cut-row: "),

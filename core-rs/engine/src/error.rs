@@ -306,6 +306,12 @@ pub enum Error {
         place: String,
     },
 
+    /// A path that leads nowhere.
+    #[error("this path has no length; give it two points apart or more, or null for the straight way")]
+    NoLength {
+        /// The path.
+        place: String,
+    },
     /// A polygon whose sides cross one another.
     #[error("the sides after corners {first} and {second} cross; give the corners in the order in which they lie around the obstacle")]
     SelfCrossing {

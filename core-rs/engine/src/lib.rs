@@ -21,5 +21,6 @@ mod recent;
 pub mod scene;
 pub mod shape;
 pub mod spectral;
+mod spline;
 pub mod text;
 pub mod transition;

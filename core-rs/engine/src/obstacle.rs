@@ -64,16 +64,25 @@ impl ObstacleShape {
 }
 
 /// The corners that each side of a polygon runs between.
-fn sides(points: &[DVec2]) -> impl Iterator<Item = (&DVec2, &DVec2)> {
+fn sides(points: &[DVec2]) -> impl Iterator<Item = (&DVec2, &DVec2)> + Clone {
     points.iter().zip(points.iter().cycle().skip(1))
 }
 
 /// The first two sides of a polygon that cross within both, by the number of the corner that each starts from.
 pub fn crossing(points: &[DVec2]) -> Option<(usize, usize)> {
+    crossed(&sides(points))
+}
+
+/// The first two pieces of an open line that cross within both, by the number of the point that each starts from.
+pub fn crossing_on_the_way(points: &[DVec2]) -> Option<(usize, usize)> {
+    crossed(&points.iter().zip(points.iter().skip(1)))
+}
+
+fn crossed<'p>(sides: &(impl Iterator<Item = (&'p DVec2, &'p DVec2)> + Clone)) -> Option<(usize, usize)> {
     let turn = |a: DVec2, b: DVec2, c: DVec2| (b - a).perp_dot(c - a);
     let are_apart = |(from, to): (&DVec2, &DVec2), p: DVec2, q: DVec2| turn(*from, *to, p) * turn(*from, *to, q) < 0.0;
-    for (first, side) in sides(points).enumerate() {
-        let mut others = sides(points).enumerate().skip(first + 2);
+    for (first, side) in sides.clone().enumerate() {
+        let mut others = sides.clone().enumerate().skip(first + 2);
         let crossed = others.find(|(_, other)| are_apart(side, *other.0, *other.1) && are_apart(*other, *side.0, *side.1));
         if let Some((second, _)) = crossed {
             return Some((first, second));

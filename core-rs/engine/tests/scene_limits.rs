@@ -9,9 +9,9 @@ use eigenform::edits::Constants;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::obstacle::ObstacleShape;
-use eigenform::scene::{Agent, CrowdSpec, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Track, TransitionSpec};
+use eigenform::scene::{Agent, CrowdSpec, Group, Keyframe, NodeSpec, Obstacle, PathSpec, Scene, Segment, Track, TransitionSpec};
 use eigenform::scene::{document, limits, open_bytes, read_json, validate, write_json};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// Agents in a row at keyframes a second apart.
 fn scene(agent_count: usize, keyframe_count: usize) -> Scene {
@@ -146,6 +146,13 @@ fn numbers_have_ranges() {
         let nodes = vec![NodeSpec { group: Vec::new(), method: MethodName::Linear, blend }];
         with_transition(TransitionSpec { nodes, ..TransitionSpec::default() })
     });
+    for coordinate in 0..2 {
+        check_range(&limits::COORDINATE, "segments[0].path[1]", |value| {
+            let mut points = vec![DVec3::ZERO, DVec3::ZERO, DVec3::new(1.0, 1.0, 0.0)];
+            points[1][coordinate] = value;
+            with_transition(TransitionSpec { path: Some(PathSpec { points, is_spatial: false }), ..TransitionSpec::default() })
+        });
+    }
     check_range(&limits::SHARING, "segments[0].chosen.sharing", |sharing| {
         let choice = Choice { method: MethodName::Polar, order: Order::Greedy, alignment: Alignment::Pca, sharing };
         with_transition(TransitionSpec { chosen: Some(choice), ..TransitionSpec::default() })

@@ -168,7 +168,6 @@ fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
     let cases = [
         (with_field("recordings", "[@]"), "recordings", " ", "{}"),
         (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),
-        (with_segment(r#""path": @"#), "segments[0].path", "null", "[[0, 0]]"),
         // The paper prints its product of powers for the plane.
         (
             with(r#""join": "product","#).replace("[0, 1]", "[0, 1, @]").replace("[0, 0]", "[0, 0, 0]").replace("[1, 0]", "[1, 0, 0]"),
@@ -182,8 +181,36 @@ fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
         assert_eq!(read_json(&right).map(|_| ()), Ok(()), "{right}");
         check(&text.replace('@', other), "unsupported", place);
     }
-    let error = read_json(&with_segment(r#""path": [[0, 0]]"#)).unwrap_err();
-    assert!(error.to_string().starts_with("[[0, 0]] is not supported yet; give null"), "{error}");
+    let error = read_json(&with_field("recordings", "[{}]")).unwrap_err();
+    assert!(error.to_string().starts_with("[{}] is not supported yet; give []"), "{error}");
+}
+
+#[test]
+fn a_path_that_cannot_be_followed_is_refused() {
+    let check = |points: &str, code: &str, place: &str| check(&with_segment(&format!(r#""path": {points}"#)), code, place);
+    for nowhere in ["[]", "[[0, 0]]", "[[3, 4], [3, 4], [3, 4]]"] {
+        check(nowhere, "no-length", "segments[0].path");
+    }
+    check("[[0, 0], [1e999, 0]]", "not-finite", "segments[0].path[1]");
+    check("[[0, 0], [1, 2e5]]", "out-of-range", "segments[0].path[1]");
+    check("[[0, 0], [1, 2, 3]]", "mixed-dimensions", "segments[0].path[1]");
+    check("[[0, 0, 0], [1, 2, 3]]", "mixed-dimensions", "segments[0].path[0]");
+    check("[0, 1]", "wrong-type", "segments[0].path[0]");
+    check("true", "wrong-type", "segments[0].path");
+    check(&format!("[{}[0, 1]]", "[0, 0], ".repeat(200)), "too-many-points", "segments[0].path");
+    let with_path = |points: &str| read_json(&with_segment(&format!(r#""path": {points}"#)));
+    assert_eq!(
+        with_path("[[0, 0]]").unwrap_err().to_string(),
+        "this path has no length; give it two points apart or more, or null for the straight way"
+    );
+    assert_eq!(with_path(&format!("[{}[0, 1]]", "[0, 0], ".repeat(199))).map(|_| ()), Ok(()));
+    let crossed = with_path("[[0, 0], [4, 4], [4, 0], [0, 4]]").expect("it can be followed");
+    let told = eigenform::scene::cautions(&crossed);
+    assert!(
+        told.len() == 1 && told[0].contains("crosses itself after points 0 and 2") && told[0].ends_with("(segments[0].path)"),
+        "{told:?}"
+    );
+    assert!(eigenform::scene::cautions(&with_path("[[0, 0], [4, 4], [4, 0], [0, -4]]").expect("it is plain")).is_empty());
 }
 
 #[test]

@@ -26,6 +26,7 @@ export const DEFAULT_SEGMENT: Segment = {
   avoidance: true,
   hierarchy: false,
   nodes: [],
+  path: null,
   crowd: CROWD_DEFAULTS,
   assignment: null,
 };

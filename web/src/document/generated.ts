@@ -262,6 +262,10 @@ hierarchy: boolean,
  */
 nodes: Array<NodeSpec>, 
 /**
+ * What the formation travels along, turning with it.
+ */
+path: Array<[number, number] | [number, number, number]> | null, 
+/**
  * What the forces are told (crowd).
  */
 crowd: CrowdSpec, 

@@ -22,6 +22,7 @@ function segment(timing: Timing): Segment {
     avoidance: false,
     hierarchy: false,
     nodes: [],
+    path: null,
     crowd: CROWD_DEFAULTS,
     assignment: null,
   };

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use eigenform_apart::Paths;
 use glam::DVec2;
 
-use super::spline::Spline;
+use crate::spline::Spline;
 
 /// What an edit adds to a motion: exact at its samples, a C² spline between them.
 #[derive(Debug)]

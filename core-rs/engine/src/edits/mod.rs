@@ -7,7 +7,6 @@ mod avoidance;
 mod crowd;
 mod deviation;
 mod grain;
-mod spline;
 
 pub use avoidance::{
     Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, SpreadJob, SpreadStep, is_modest, judge,

@@ -40,6 +40,7 @@ impl Error {
             Self::TwoSlots { .. } | Self::SlotTaken { .. } => "contradictory-locks",
             Self::NothingToPredictFrom => "nothing-to-predict-from",
             Self::NoArea { .. } => "no-area",
+            Self::NoLength { .. } => "no-length",
             Self::SelfCrossing { .. } => "self-crossing",
             Self::TooManyTies { .. } => "too-many-ties",
             Self::IsRecording => "recording",
@@ -98,6 +99,7 @@ impl Error {
             | Self::SelfCrossing { place, .. }
             | Self::TwoSlots { place, .. }
             | Self::SlotTaken { place, .. }
+            | Self::NoLength { place }
             | Self::NoArea { place } => place.clone(),
         }
     }
@@ -118,6 +120,7 @@ fn too_many(what: Counted) -> &'static str {
         Counted::Locks => "too-many-locks",
         Counted::Obstacles => "too-many-obstacles",
         Counted::Corners => "too-many-corners",
+        Counted::PathPoints => "too-many-points",
         Counted::Rows => "too-many-rows",
     }
 }

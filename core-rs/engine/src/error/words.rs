@@ -33,6 +33,8 @@ pub enum Counted {
     Obstacles,
     /// Corners of one polygon.
     Corners,
+    /// Points of one path.
+    PathPoints,
     /// Rows of a recording.
     Rows,
 }
@@ -54,6 +56,7 @@ impl Display for Counted {
             Self::Locks => "locks",
             Self::Obstacles => "obstacles",
             Self::Corners => "corners of a polygon",
+            Self::PathPoints => "points of a path",
             Self::Rows => "rows",
         })
     }

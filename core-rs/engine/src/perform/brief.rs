@@ -5,12 +5,13 @@ use std::sync::Arc;
 use super::avoid::outline;
 use super::counterpart::Counterpart;
 use super::levels::node_way;
+use super::travel::{Turnings, charted, travel};
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Choice, Join, MethodName, Timing};
 use crate::edits::Outline;
 use crate::formation::Formation;
-use crate::scene::{Agent, Group, Keyframe, Obstacle, Scene, Segment, TransitionSpec};
-use crate::transition::{Chain, End, Way, Ways};
+use crate::scene::{Agent, Group, Keyframe, Obstacle, PathSpec, Scene, Segment, TransitionSpec};
+use crate::transition::{Chain, End, Travel, Way, Ways};
 
 /// Two equal briefs have the same motion. Large parts are compared by identity.
 ///
@@ -25,6 +26,8 @@ pub(super) struct Brief {
     at: usize,
     /// Seconds from the departure at each of them to the arrival at the next.
     durations: Vec<f64>,
+    /// The paths to travel between them.
+    paths: Vec<Option<PathSpec>>,
     /// The segment.
     pub(super) own: Asked,
     /// Its neighbors where the agents pass without a stop.
@@ -120,6 +123,7 @@ impl Brief {
             agents: track.agents.clone(),
             at: index - first,
             durations: known.windows(2).map(|pair| pair[1].time - departure(&pair[0])).collect(),
+            paths: track.segments[first..last].iter().map(|Segment::Transition(transition)| transition.path.clone()).collect(),
             own,
             beside: [before, after],
             join: scene.join,
@@ -151,6 +155,17 @@ impl Brief {
         let join = if ends.len() == 2 { Join::Separate } else { self.join };
         let chain = Chain::new(ends, self.durations.clone(), self.at, join, self.tension);
         if self.is_in_space { chain.in_space() } else { chain }
+    }
+
+    /// The segment as it travels along paths; none where no path matters.
+    pub(super) fn travel(&self, chain: &Chain, turnings: &mut Turnings) -> Option<Travel> {
+        travel(chain, &self.paths, turnings)
+    }
+
+    /// The segment from keyframe `pair` of the chain to the next, without its neighbors, as methods see it.
+    pub(super) fn alone(&self, chain: &Chain, pair: usize, turnings: &mut Turnings) -> Chain {
+        let [from, to] = [pair, pair + 1].map(|end| chain.ends()[end].clone());
+        charted(Chain::between(from, to), &self.paths[pair..=pair], turnings)
     }
 
     /// The segment before, itself and the one after, where they are known, each with the number of its source in the chain.
@@ -237,6 +252,7 @@ impl PartialEq for Brief {
             && Arc::ptr_eq(&self.groups, &other.groups)
             && self.at == other.at
             && self.durations == other.durations
+            && self.paths == other.paths
             && self.own == other.own
             && self.beside == other.beside
             && meets(self) == meets(other)

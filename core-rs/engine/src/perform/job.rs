@@ -20,7 +20,7 @@ use crate::error::Error;
 use crate::measure;
 use crate::motion::{Motion, sample_times};
 use crate::scene::Scene;
-use crate::transition::{Chain, End, Hierarchy, Transition, Way, Ways};
+use crate::transition::{Chain, End, Hierarchy, Transition, Travel, Way, Ways};
 
 /// How much of a segment's progress is its planning.
 const PLANNING_SHARE: f64 = 0.7;
@@ -93,6 +93,7 @@ enum Stage {
 
 struct Choosing {
     chain: Chain,
+    travel: Option<Arc<Travel>>,
     /// Of the next, where auto must find it.
     trial: Option<Trial>,
     known: Vec<Option<Choice>>,
@@ -102,6 +103,8 @@ struct Choosing {
 
 pub(super) struct Plan {
     pub(super) chain: Chain,
+    /// Where the segment goes along paths.
+    travel: Option<Arc<Travel>>,
     pub(super) ways: Ways,
     /// Where the segment goes by groups.
     hierarchy: Option<Hierarchy>,
@@ -113,10 +116,16 @@ pub(super) struct Plan {
 }
 
 impl Plan {
+    /// The chain as methods see it.
+    fn chart(&self) -> &Chain {
+        self.travel.as_ref().map_or(&self.chain, |travel| travel.chart())
+    }
+
     /// The same segment as a whole by another way, whatever is beside it.
     pub(super) fn by(&self, choice: Choice, keeps_size: bool) -> Self {
         Self {
             chain: self.chain.clone(),
+            travel: self.travel.clone(),
             ways: Ways::all(Way::of(choice, keeps_size)),
             hierarchy: None,
             ts: self.ts.clone(),
@@ -230,7 +239,9 @@ impl Work {
         Ok(if missing.next().is_some() {
             Stage::Tying(ends)
         } else {
-            Stage::Choosing(Choosing { chain: self.brief.chain(ends), trial: None, known: Vec::new(), candidates: Arc::default() })
+            let chain = self.brief.chain(ends);
+            let travel = self.brief.travel(&chain, &mut performer.turnings).map(Arc::new);
+            Stage::Choosing(Choosing { chain, travel, trial: None, known: Vec::new(), candidates: Arc::default() })
         })
     }
 
@@ -243,7 +254,7 @@ impl Work {
                 Some(Way::of(choosing.known[index]?, asked.transition.keep_size))
             };
             let ways = Ways { before: way(0), own: way(1).expect("a segment has a choice of its own"), after: way(2) };
-            return Stage::Planning(self.begin_plan(choosing.chain, ways, choosing.candidates, performer));
+            return Stage::Planning(self.begin_plan(choosing, ways, performer));
         };
         let Some((source, asked)) = *next else {
             choosing.known.push(None);
@@ -254,8 +265,7 @@ impl Work {
             return Stage::Choosing(choosing);
         }
         let trial = choosing.trial.get_or_insert_with(|| {
-            let [from, to] = [source, source + 1].map(|end| choosing.chain.ends()[end].clone());
-            let chain = Chain::between(from, to);
+            let chain = self.brief.alone(&choosing.chain, source, &mut performer.turnings);
             let by_groups = asked.transition.hierarchy;
             let hierarchy = by_groups.then(|| performer.levels.hierarchy(&self.scene.groups, &chain, None));
             Trial::new(chain, hierarchy, &asked.transition, self.brief.minimum_distance)
@@ -270,12 +280,14 @@ impl Work {
         Stage::Choosing(choosing)
     }
 
-    fn begin_plan(&self, chain: Chain, ways: Ways, candidates: Arc<Vec<Candidate>>, performer: &mut Performer) -> Plan {
-        let Work { scene, brief, .. } = self;
-        let by_groups = brief.own.transition.hierarchy;
-        let hierarchy = by_groups.then(|| performer.levels.hierarchy(&scene.groups, &chain, Some(brief.segment())));
+    fn begin_plan(&self, chosen: Choosing, ways: Ways, performer: &mut Performer) -> Plan {
+        let Choosing { chain, travel, candidates, .. } = chosen;
         let ts = self.known_clock().map_or(Vec::new(), |clock| self.parameters(&clock, &self.times()));
-        Plan { chain, ways, hierarchy, ts: ts.into(), candidates, crowded: None }
+        let mut plan = Plan { chain, travel, ways, hierarchy: None, ts: ts.into(), candidates, crowded: None };
+        if self.brief.own.transition.hierarchy {
+            plan.hierarchy = Some(performer.levels.hierarchy(&self.scene.groups, plan.chart(), Some(self.brief.segment())));
+        }
+        plan
     }
 
     fn plan(&self, mut plan: Plan, performer: &mut Performer) -> Stage {
@@ -286,8 +298,12 @@ impl Work {
             performer.levels.keep(self.brief.segment(), &done);
             done
         } else {
-            let Some(done) = performer.planner.step(&plan.chain, &plan.ways) else { return Stage::Planning(plan) };
+            let Some(done) = performer.planner.step(plan.chart(), &plan.ways) else { return Stage::Planning(plan) };
             done.into()
+        };
+        let transition = match &plan.travel {
+            Some(travel) => travel.led(transition),
+            None => transition,
         };
         let transition = tied::held(transition, &plan.chain, &self.brief.obstacles);
         let has_heights = plan.chain.has_heights();

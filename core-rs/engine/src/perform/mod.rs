@@ -20,6 +20,7 @@ mod sampling;
 mod show;
 mod text;
 mod tied;
+mod travel;
 mod trial;
 
 use std::sync::Arc;
@@ -42,6 +43,7 @@ pub use show::Performance;
 use brief::Brief;
 use graphs::Graphs;
 use levels::Levels;
+use travel::Turnings;
 use trial::Tables;
 
 /// Motions of one segment of 1,260 agents over 10 s are 6 MB.
@@ -53,6 +55,7 @@ pub struct Performer {
     planner: Planner,
     tables: Tables,
     levels: Levels,
+    turnings: Turnings,
     performed: Recent<Brief, Arc<Performed>>,
     groups: Arc<Vec<Group>>,
     obstacles: Arc<Vec<Obstacle>>,
@@ -67,6 +70,7 @@ impl Default for Performer {
             planner: Planner::default(),
             tables: Tables::default(),
             levels: Levels::default(),
+            turnings: Turnings::default(),
             performed: Recent::new(MOTION_BYTE_LIMIT),
             groups: Arc::default(),
             obstacles: Arc::default(),

@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use super::Performer;
+use super::travel::charted;
 use crate::error::Error;
-use crate::scene::Scene;
+use crate::scene::{Scene, Segment};
 use crate::spectral::{Eigenbasis, ModeMatch, eigenvalues_between};
-use crate::transition::End;
+use crate::transition::{Chain, End};
 
 impl Performer {
     /// The eigenbasis of a keyframe's ties, kept for the motions that need it.
@@ -17,7 +18,10 @@ impl Performer {
 
     /// How alike the modes at both ends of segment `index` are: of the very bases that spectral turns into one another.
     pub fn mode_match(&mut self, scene: &Scene, index: usize) -> Result<ModeMatch, Error> {
-        let (source, target) = (self.end(scene, index)?, self.end(scene, index + 1)?);
+        let chain = Chain::between(self.end(scene, index)?, self.end(scene, index + 1)?);
+        let Segment::Transition(transition) = &scene.main_track().segments[index];
+        let chart = charted(chain, std::slice::from_ref(&transition.path), &mut self.turnings);
+        let [source, target] = [0, 1].map(|end| chart.ends()[end].clone());
         Ok(self.planner.mode_match(source, target))
     }
 

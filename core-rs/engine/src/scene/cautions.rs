@@ -1,14 +1,16 @@
 //! What a valid scene asks for and cannot have: told, never refused.
 
-use super::{Scene, Stage};
-use crate::obstacle::ObstacleShape;
+use glam::DVec3;
+
+use super::{Scene, Segment, Stage};
+use crate::obstacle::{ObstacleShape, crossing_on_the_way};
 
 /// More agents in one obstacle are counted, not listed.
 const MOST_LISTED: usize = 5;
 
 /// A sentence each: what, where and what helps.
 pub fn cautions(scene: &Scene) -> Vec<String> {
-    crowding(scene).into_iter().chain(covered(scene)).collect()
+    crowding(scene).into_iter().chain(covered(scene)).chain(crossed(scene)).collect()
 }
 
 /// A minimum distance that the stage cannot hold, for whoever stays on it: it is no wall.
@@ -60,6 +62,19 @@ fn covered(scene: &Scene) -> impl Iterator<Item = String> {
             let place = format!("keyframes[{index}].positions[{}]", agents[0]);
             format!("{} within obstacle {obstacle}; a keyframe is never changed, so move them or the obstacle ({place})", listed(&agents))
         })
+    })
+}
+
+/// Paths that cross themselves. They are followed all the same: at no instant is the formation in two places, and its agents are as far
+/// apart as on any other path.
+fn crossed(scene: &Scene) -> impl Iterator<Item = String> {
+    scene.main_track().segments.iter().enumerate().filter_map(|(index, Segment::Transition(transition))| {
+        let plan: Vec<_> = transition.path.as_ref()?.points.iter().copied().map(DVec3::truncate).collect();
+        let (first, second) = crossing_on_the_way(&plan)?;
+        Some(format!(
+            "the path crosses itself after points {first} and {second}, so the formation passes there twice; nobody comes nearer to \
+             anybody for it, and other points take the crossing out (segments[{index}].path)"
+        ))
     })
 }
 

@@ -124,6 +124,12 @@ pub const OBSTACLES: usize = 200;
 /// Corners of a polygon.
 pub const CORNERS: RangeInclusive<usize> = 3..=200;
 
+/// Points of a path: as many as corners.
+pub const PATH_POINTS: usize = 200;
+
+/// A path's length, from point to point, in meters: from what a link still tells apart.
+pub const PATH_LENGTH: f64 = 1e-6;
+
 /// Radius of a circle, in meters: from what a link still tells apart to all admissible coordinates.
 pub const OBSTACLE_RADIUS: RangeInclusive<f64> = 1e-6..=1e5;
 

@@ -16,6 +16,7 @@ pub mod link;
 mod normalize;
 mod number;
 mod open;
+mod path;
 pub(crate) mod place;
 mod queries;
 pub mod recording;
@@ -31,6 +32,7 @@ pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS, DEFAULT_TENSION};
 pub use groups::{group_levels, group_ties};
 pub use json::{read_json, write_json};
 pub use open::{Opened, Source, open, open_bytes};
+pub use path::PathSpec;
 pub use validate::validate;
 
 use serde::{Deserialize, Serialize};
@@ -243,6 +245,9 @@ pub struct TransitionSpec {
     pub hierarchy: bool,
     /// Groups that move by a method of their own, each once.
     pub nodes: Vec<NodeSpec>,
+    /// What the formation travels along, turning with it.
+    #[cfg_attr(feature = "types", ts(type = "Array<[number, number] | [number, number, number]> | null"))]
+    pub path: Option<PathSpec>,
     /// What the forces are told (crowd).
     pub crowd: CrowdSpec,
     /// How it was found who goes where; the positions have it already.
@@ -286,6 +291,7 @@ impl Default for TransitionSpec {
             avoidance: false,
             hierarchy: false,
             nodes: Vec::new(),
+            path: None,
             crowd: CrowdSpec::default(),
             assignment: None,
         }

@@ -3,6 +3,7 @@
 mod groups;
 mod nodes;
 mod obstacles;
+mod paths;
 mod ties;
 
 use std::fmt::Display;
@@ -176,6 +177,7 @@ fn check_segment(segment: &Segment, scene: &Scene, place: &Place) -> Result<(), 
         within(spec.lambda, &limits::LAMBDA, place.field("lambda"))?;
         check_locks(&spec.locks, scene.main_track().agents.len(), |index| place.field("locks").item(index).to_string())?;
     }
+    paths::check(transition.path.as_ref(), scene.main_track(), &place.field("path"))?;
     nodes::check(&transition.nodes, &scene.groups, &place.field("nodes"))
 }
 

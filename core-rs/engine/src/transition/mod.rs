@@ -7,6 +7,7 @@
 mod blend;
 mod carried;
 mod chain;
+mod course;
 mod cubic;
 mod held;
 mod hierarchical;
@@ -25,6 +26,7 @@ mod smooth;
 mod space;
 mod spectral;
 mod strand;
+mod travel;
 mod turns;
 
 use glam::DVec2;
@@ -35,6 +37,7 @@ pub use hierarchical::Hierarchical;
 pub use hierarchy::Hierarchy;
 pub(crate) use nodes::nodes_at;
 pub use planner::Planner;
+pub use travel::{Travel, turned};
 
 use blend::Blend;
 

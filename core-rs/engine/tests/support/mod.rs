@@ -11,10 +11,10 @@ use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::obstacle::ObstacleShape;
 use eigenform::scene::{
-    Agent, Backdrop, CrowdSpec, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Stage, Tempo, Track, TransitionSpec,
+    Agent, Backdrop, CrowdSpec, Group, Keyframe, NodeSpec, Obstacle, PathSpec, Scene, Segment, Stage, Tempo, Track, TransitionSpec,
 };
 use eigenform::scene::{Units, validate};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use proptest::collection::vec;
 use proptest::option;
 use proptest::prelude::*;
@@ -135,7 +135,7 @@ fn tempo() -> impl Strategy<Value = Tempo> {
 
 fn track(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strategy<Value = Track> {
     let agents = prop_oneof![Just(vec![Agent::default(); counts.agents]), vec(agent(), counts.agents)];
-    (agents, keyframes(counts, keyframe_count, is_spatial), vec(segment(counts.agents), keyframe_count - 1))
+    (agents, keyframes(counts, keyframe_count, is_spatial), vec(segment(counts.agents, is_spatial), keyframe_count - 1))
         .prop_map(|(agents, keyframes, segments)| Track { agents: Arc::new(agents), keyframes, segments })
 }
 
@@ -178,14 +178,38 @@ fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![(-400_i32..400).prop_map(|step| f64::from(step) / 8.0), -50.0..50.0_f64, -1e5..=1e5_f64]
 }
 
-fn segment(agent_count: usize) -> impl Strategy<Value = Segment> {
+/// Points apart, of as many numbers as positions.
+fn path(is_spatial: bool) -> impl Strategy<Value = PathSpec> {
+    let point = (position(), coordinate()).prop_map(move |(place, height)| place.extend(if is_spatial { height } else { 0.0 }));
+    vec(point, 2..12).prop_map(move |mut points| {
+        points[1] = points[0] + if points[0].x > 0.0 { -DVec3::X } else { DVec3::X };
+        PathSpec { points, is_spatial }
+    })
+}
+
+fn segment(agent_count: usize, is_spatial: bool) -> impl Strategy<Value = Segment> {
     let method = prop_oneof![4 => certain_method(), 1 => Just(MethodName::Auto), 1 => Just(MethodName::Crowd)];
     let timing = prop::sample::select(vec![Timing::Linear, Timing::Smooth, Timing::Even]);
     let basics = (method, option::of(choice()), order(), alignment(), plain_or(0.5, 0.0..=1.0), any::<bool>(), timing);
     let edits = (any::<bool>(), any::<bool>(), vec(node(), 0..4), crowd(), option::weighted(0.3, assignment(agent_count)));
-    let transition = (basics, edits).prop_map(|(basics, (avoidance, hierarchy, nodes, crowd, assignment))| {
+    let path = option::weighted(0.2, path(is_spatial));
+    let transition = (basics, edits, path).prop_map(|(basics, (avoidance, hierarchy, nodes, crowd, assignment), path)| {
         let (method, chosen, order, alignment, sharing, keep_size, timing) = basics;
-        TransitionSpec { method, chosen, order, alignment, sharing, keep_size, timing, avoidance, hierarchy, nodes, crowd, assignment }
+        TransitionSpec {
+            method,
+            chosen,
+            order,
+            alignment,
+            sharing,
+            keep_size,
+            timing,
+            avoidance,
+            hierarchy,
+            nodes,
+            path,
+            crowd,
+            assignment,
+        }
     });
     prop_oneof![Just(TransitionSpec::default()), transition].prop_map(Segment::Transition)
 }

@@ -1,6 +1,6 @@
 import { updateKeyframe, updateTrack } from "../edit";
 import { clampCoordinate } from "../limits";
-import { mainTrack, type Scene } from "../scene";
+import { mainTrack, type Scene, type Segment } from "../scene";
 import type { Command } from "../store";
 
 /** Lift some agents at one keyframe, meters; down where negative. A plane scene gets heights by it. */
@@ -30,7 +30,15 @@ export function settleHeights(scene: Scene): Scene {
       const heights = isPlane ? null : new Float64Array(positions.agentCount);
       return { ...keyframe, positions: positions.withHeights(heights) };
     }),
+    segments: isPlane ? track.segments.map(onGround) : track.segments,
   }));
+}
+
+/** A path in a plane scene has no heights. */
+function onGround(segment: Segment): Segment {
+  return segment.path?.some((point) => point.length > 2)
+    ? { ...segment, path: segment.path.map(([x, y]) => [x, y] as const) }
+    : segment;
 }
 
 function putHeights(

@@ -1,3 +1,4 @@
+import { cutPath } from "../cut-path";
 import { DEFAULT_SEGMENT, keyframeAt } from "../defaults";
 import { chooseAgain, updateKeyframe, updateTrack } from "../edit";
 import type { Formation } from "../formation";
@@ -97,7 +98,8 @@ function insert(scene: Scene, index: number, keyframe: Keyframe, taken: Choice |
     const split = track.segments[index - 1];
     const template = split ?? track.segments.at(-1) ?? DEFAULT_SEGMENT;
     const chosen = split?.method === "auto" ? taken : null;
-    const parts = Array.from({ length: split ? 2 : 1 }, () => ({ ...template, chosen, assignment: null }));
+    const paths = split?.path ? cutPath(split.path, keyframe.positions) : [null, null];
+    const parts = paths.slice(0, split ? 2 : 1).map((path) => ({ ...template, chosen, path, assignment: null }));
     return {
       ...track,
       keyframes: track.keyframes.toSpliced(index, 0, keyframe),

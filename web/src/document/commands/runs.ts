@@ -19,7 +19,10 @@ export function reverseRun(run: Run): Command {
         if (!head || !tail || within.length < 2) return track;
         const sum = head.time + tail.time + tail.hold;
         const reversed = within.map((was) => ({ ...was, time: tidyTime(sum - was.time - was.hold) })).reverse();
-        const transitions = track.segments.slice(run.first, run.last).reverse();
+        const transitions = track.segments
+          .slice(run.first, run.last)
+          .reverse()
+          .map((was) => (was.path ? { ...was, path: was.path.toReversed() } : was));
         return {
           ...track,
           keyframes: track.keyframes.toSpliced(run.first, reversed.length, ...reversed),
@@ -66,7 +69,9 @@ function repeated(scene: Scene, run: Run): Scene {
     const by = isRound ? end - (head.time + head.hold) : end + wayBack - head.time;
     const copies = within.slice(isRound ? 1 : 0).map((was) => moved(was, by));
     const segments = track.segments.slice(run.first, run.last);
-    const way: readonly Segment[] = isRound ? [] : segments.slice(-1).map((last) => ({ ...last, chosen: null }));
+    const way: readonly Segment[] = isRound
+      ? []
+      : segments.slice(-1).map((last) => ({ ...last, chosen: null, path: null }));
     return {
       ...track,
       keyframes: [

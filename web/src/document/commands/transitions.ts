@@ -3,7 +3,7 @@ import { mainTrack, type Segment } from "../scene";
 import type { Command } from "../store";
 
 /** What the person decides about a transition. */
-export type TransitionOptions = Partial<Omit<Segment, "kind" | "chosen" | "assignment">>;
+export type TransitionOptions = Partial<Omit<Segment, "kind" | "chosen" | "path" | "assignment">>;
 
 /** Change how one formation becomes the next. Whatever auto took before is forgotten. */
 export function setTransition(index: number, options: TransitionOptions): Command {

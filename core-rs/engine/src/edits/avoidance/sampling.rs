@@ -4,8 +4,8 @@ use eigenform_apart::Paths;
 use glam::{DVec2, DVec3};
 
 use crate::edits::grain::rounded;
-use crate::edits::spline::Spline;
 use crate::motion::Motion;
+use crate::spline::Spline;
 
 /// The guide at `knot_count` evenly spaced instants, straight between its samples, rounded.
 pub(super) fn at_knots(guide: &Motion, knot_count: usize) -> Paths {

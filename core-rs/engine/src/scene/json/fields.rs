@@ -22,7 +22,6 @@ pub(super) struct Fields<'a, 'p> {
 
 /// The only value so far of a field that version 1 names.
 pub(super) enum Only {
-    Null,
     NoEntries,
     Word(&'static str, &'static [&'static str]),
 }
@@ -123,7 +122,6 @@ impl<'a> Fields<'a, '_> {
     pub(super) fn only(&self, name: &'static str, only: &Only) -> Result<(), Error> {
         let Some(value) = self.get(name) else { return Ok(()) };
         let (is_supported, supported) = match *only {
-            Only::Null => (value.is_null(), "null".to_owned()),
             Only::NoEntries => (value.is_empty_list()?, "[]".to_owned()),
             Only::Word(word, admissible) => {
                 let given = value.string()?;

@@ -8,7 +8,7 @@ use super::value::Value;
 use crate::error::{Counted, Error};
 use crate::formation::Formation;
 use crate::obstacle::ObstacleShape;
-use crate::scene::{Obstacle, limits};
+use crate::scene::{Obstacle, PathSpec, limits};
 
 const OBSTACLE: &[&str] = &["name", "kind", "center", "radius", "points"];
 const CIRCLE: &[&str] = &["name", "kind", "center", "radius"];
@@ -31,16 +31,23 @@ struct Spot {
 pub(super) fn formation(keyframe: &Fields, dimensions: &mut Option<usize>) -> Result<Formation, Error> {
     let mut heights = Vec::new();
     let positions = keyframe.list("positions", limits::AGENTS, Counted::Agents, |value| {
-        let Spot { position, height } = spot(value)?;
-        let found = if height.is_some() { 3 } else { 2 };
-        let expected = *dimensions.get_or_insert(found);
-        if found != expected {
-            return Err(Error::MixedDimensions { found, expected, place: value.place.to_string() });
-        }
+        let Spot { position, height } = alike(value, dimensions)?;
         heights.extend(height);
         Ok(position)
     })?;
     Ok(if heights.is_empty() { Formation::new(positions) } else { Formation::spatial(positions, heights) })
+}
+
+/// The points of a path, all of as many numbers as the first.
+pub(super) fn path(value: Value) -> Result<PathSpec, Error> {
+    let mut dimensions = None;
+    let items = value.items(limits::PATH_POINTS, Counted::PathPoints)?;
+    let points = items.into_iter().enumerate().map(|(index, text)| {
+        let value = Value { text, place: value.place.item(index) };
+        let spot = alike(value, &mut dimensions)?;
+        Ok(spot.position.extend(spot.height.unwrap_or(0.0)))
+    });
+    Ok(PathSpec { points: points.collect::<Result<_, Error>>()?, is_spatial: dimensions == Some(3) })
 }
 
 /// One obstacle; which fields it has depends on its kind.
@@ -63,6 +70,14 @@ pub(super) fn obstacle(value: Value) -> Result<Obstacle, Error> {
 /// An entry of a short list that is named as a whole.
 pub(super) fn entry<'a, 'p>(list: &Value<'_, 'p>, text: &'a str) -> Value<'a, 'p> {
     Value { text, place: list.place }
+}
+
+/// A position of as many numbers as those before it.
+fn alike(value: Value, dimensions: &mut Option<usize>) -> Result<Spot, Error> {
+    let spot = spot(value)?;
+    let found = if spot.height.is_some() { 3 } else { 2 };
+    let expected = *dimensions.get_or_insert(found);
+    if found == expected { Ok(spot) } else { Err(Error::MixedDimensions { found, expected, place: value.place.to_string() }) }
 }
 
 fn spot(value: Value) -> Result<Spot, Error> {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::crowd::crowd;
 use super::fields::{Fields, Only};
-use super::places::{entry, formation, obstacle};
+use super::places::{entry, formation, obstacle, path};
 use super::value::Value;
 use crate::adjacency::AdjacencySpec;
 use crate::assignment::{AssignmentSpec, DEFAULT_LAMBDA};
@@ -282,7 +282,6 @@ fn agent(value: Value) -> Result<Agent, Error> {
 fn segment(value: Value) -> Result<Segment, Error> {
     let fields = value.object(SEGMENT)?;
     fields.only("kind", &Only::Word("transition", KINDS))?;
-    fields.only("path", &Only::Null)?;
     Ok(Segment::Transition(TransitionSpec {
         method: fields.word("method", &[])?,
         chosen: fields.optional("chosen", choice)?,
@@ -294,6 +293,7 @@ fn segment(value: Value) -> Result<Segment, Error> {
         avoidance: fields.flag("avoidance")?,
         hierarchy: fields.flag("hierarchy")?,
         nodes: fields.list("nodes", limits::NODES, Counted::Nodes, node)?,
+        path: fields.optional("path", path)?,
         crowd: fields.optional("crowd", crowd)?.unwrap_or_default(),
         assignment: fields.optional("assignment", assignment)?,
     }))

@@ -183,6 +183,9 @@ fn transition_fields(out: &mut Layout, transition: &TransitionSpec) {
     if !transition.nodes.is_empty() {
         out.key("nodes").list_line(&transition.nodes, node);
     }
+    if let Some(path) = &transition.path {
+        out.key("path").list_line(&path.points, |out, point| numbers(out, path.numbers(point)));
+    }
     if transition.crowd != default.crowd {
         write_crowd(out.key("crowd"), &transition.crowd);
     }

@@ -43,6 +43,7 @@ pub fn basics_of_segment(Segment::Transition(transition): &Segment) -> Segment {
         avoidance: false,
         hierarchy: false,
         nodes: Vec::new(),
+        path: None,
         crowd: CrowdSpec::default(),
         assignment: None,
         ..*transition

@@ -9,6 +9,7 @@ mod document;
 mod graph;
 mod models;
 mod names;
+mod paths;
 mod positions;
 mod range;
 mod recipes;

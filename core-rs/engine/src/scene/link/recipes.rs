@@ -2,8 +2,9 @@
 //!
 //! It stands behind the closing flag of `crowds` and ends with a flag of its own. Here, too, the order is the format.
 
-use super::document::{Fields, newer};
+use super::document::Fields;
 use super::graph::Pairs;
+use super::paths::has_paths;
 use super::range::Bit;
 use crate::assignment::{AssignmentSpec, Cost, DEFAULT_LAMBDA};
 use crate::error::Error;
@@ -12,9 +13,9 @@ use crate::scene::{Segment, Track, limits};
 // The place in this list is the value in the link: append only.
 const COSTS: [Cost; 5] = [Cost::Squared, Cost::LeastEffort, Cost::Euclidean, Cost::Manhattan, Cost::Keep];
 
-/// Whether a track says any of it.
+/// Whether a track says any of it, or of what stands behind it.
 pub fn has_recipes(track: &Track) -> bool {
-    track.segments.iter().any(|Segment::Transition(transition)| transition.assignment.is_some())
+    track.segments.iter().any(|Segment::Transition(transition)| transition.assignment.is_some()) || has_paths(track)
 }
 
 impl Fields<'_> {
@@ -27,10 +28,9 @@ impl Fields<'_> {
                 self.code_recipe(&mut pairs, transition.assignment.get_or_insert_default())?;
             }
         }
-        // Set by a later version that has more to say.
-        let mut has_more = false;
+        let mut has_more = has_paths(track);
         self.coder.bit(&mut Bit::likely(false), &mut has_more);
-        if has_more { Err(newer()) } else { Ok(()) }
+        if has_more { self.code_paths(track) } else { Ok(()) }
     }
 
     fn code_recipe(&mut self, pairs: &mut Pairs, recipe: &mut AssignmentSpec) -> Result<(), Error> {
