@@ -296,6 +296,28 @@ pub enum Error {
         /// The later lock.
         place: String,
     },
+    /// Obstacles that leave an agent no way to a slot.
+    #[error(
+        "no way leads agent {agent} to a place that is left for it: obstacle {obstacle} shuts it off; move the obstacle, \
+         leave a gap of {} m, or lock the agent to a place beyond",
+        2.0 * distance
+    )]
+    NoWay {
+        /// One who is left over where it stands.
+        agent: u32,
+        /// What is between it and a slot that is left over.
+        obstacle: u32,
+        /// What ways keep from obstacles, meters.
+        distance: f64,
+    },
+    /// More places beside obstacles than ways can be looked for between.
+    #[error("ways around these obstacles may bend at {count} places; at most {limit} for so many agents; draw fewer or simpler obstacles")]
+    TooManyBends {
+        /// How many there are.
+        count: usize,
+        /// How many are allowed.
+        limit: usize,
+    },
     /// A prediction from no pair.
     #[error("there is no pair to predict the others from; lock one agent to its slot, better two or three")]
     NothingToPredictFrom,

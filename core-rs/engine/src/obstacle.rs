@@ -2,12 +2,15 @@
 //!
 //! Geometry only: it knows neither names nor who must keep away.
 
+mod detours;
 mod hull;
 mod rim;
+mod wall;
 
 use glam::DVec2;
 use serde::Serialize;
 
+pub use detours::{Detours, Norm};
 pub(crate) use hull::hull;
 pub(crate) use rim::{Beside, Rim};
 

@@ -80,9 +80,9 @@ proptest! {
             let keeps = |order: &[u32]| locks.iter().all(|(agent, slot)| order[*agent as usize] == *slot);
             prop_assert!(keeps(answer.targets()));
             let all = orders(source.agent_count() as u32).into_iter().filter(|order| keeps(order));
-            let least = all.map(|order| cost_of(&asked, &Assignment::new(order).unwrap())).fold(f64::INFINITY, f64::min);
+            let least = all.map(|order| cost_of(&asked, &Assignment::new(order).unwrap(), &[])).fold(f64::INFINITY, f64::min);
             // Six costs below 10⁴: 1e-9 is hundreds of their roundings.
-            prop_assert!(cost_of(&asked, &answer) <= least + 1e-9, "{cost:?}: {} {least}", cost_of(&asked, &answer));
+            prop_assert!(cost_of(&asked, &answer, &[]) <= least + 1e-9, "{cost:?}: {} {least}", cost_of(&asked, &answer, &[]));
         }
     }
 
@@ -116,7 +116,7 @@ proptest! {
             let total = |positions: &[DVec2]| {
                 let (source, spec) = (Formation::new(positions.to_vec()), of_cost(cost));
                 let asked = question(&source, &target, &spec);
-                cost_of(&asked, &assign(&asked).unwrap())
+                cost_of(&asked, &assign(&asked).unwrap(), &[])
             };
             let mut moved = positions.clone();
             labels.iter().zip(&positions).for_each(|(label, p)| moved[*label as usize] = *p);

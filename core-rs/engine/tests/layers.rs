@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// What each room may name of the others.
 const MAY_KNOW: [(&str, &[&str]); 16] = [
     ("adjacency", &["error", "formation"]),
-    ("assignment", &["adjacency", "error", "formation"]),
+    ("assignment", &["adjacency", "error", "formation", "obstacle"]),
     ("choice", &[]),
     ("edits", &["formation", "motion", "obstacle"]),
     // `scene` only in the words of its limits.

@@ -109,11 +109,12 @@ impl Engine {
     }
 
     /// Goes on with the errand for a while; answers how far it is, 1 when its result can be read.
-    pub fn step_errand(&mut self) -> f64 {
-        self.workshop.errand.as_mut().map_or(1.0, Errand::step)
+    pub fn step_errand(&mut self) -> Result<f64, Refusal> {
+        self.workshop.errand.as_mut().map_or(Ok(1.0), Errand::step)
     }
 
-    /// JSON, once: of an assignment the slot of each agent, of affinity the groups.
+    /// JSON, once: of an assignment `{slots, bends, ownBends}`, by agent its slot and where its way
+    /// there and to the slot of its own number bends around obstacles; of affinity the groups.
     ///
     /// # Panics
     /// When there is no errand: a bug of the page.
@@ -171,19 +172,27 @@ enum Errand {
 }
 
 impl Errand {
-    fn step(&mut self) -> f64 {
-        match self {
-            Self::Assignment(job) => job.step(),
+    fn step(&mut self) -> Result<f64, Refusal> {
+        Ok(match self {
+            Self::Assignment(job) => job.step()?,
             Self::Affinity(job) => job.step(),
-        }
+        })
     }
 
     fn result(self) -> String {
         match self {
-            Self::Assignment(job) => encode(&job.into_assignment().targets()),
+            Self::Assignment(job) => {
+                let own: Vec<u32> = (0..job.slots().len() as u32).collect();
+                let bends = |slots: &[u32]| job.bends_to(slots).iter().map(|way| places(way)).collect::<Vec<_>>();
+                encode(&json!({ "slots": job.slots(), "bends": bends(job.slots()), "ownBends": bends(&own) }))
+            }
             Self::Affinity(job) => encode(&job.groups()),
         }
     }
+}
+
+fn places(way: &[DVec2]) -> Vec<[f64; 2]> {
+    way.iter().map(DVec2::to_array).collect()
 }
 
 fn assignment(scene: &Scene, segment: usize, recipe: &str, is_flipped: bool, is_predicted: bool) -> Result<Errand, Refusal> {
@@ -191,7 +200,7 @@ fn assignment(scene: &Scene, segment: usize, recipe: &str, is_flipped: bool, is_
     let [source, target] = scene.way_at(segment)?;
     let sections = &scene::group_levels(&scene.groups, source.agent_count());
     let question = Question { source, target, spec, sections, is_flipped, is_predicted };
-    Ok(Errand::Assignment(assignment::Job::new(&question)?))
+    Ok(Errand::Assignment(assignment::Job::around(&question, &scene.obstacle_shapes(), scene.minimum_distance)?))
 }
 
 fn affinity(scene: &Scene, keyframe: usize, agents: &[u32], metric: &str, times: f64) -> Result<Errand, Refusal> {

@@ -1,6 +1,6 @@
 import type { ReadonlySignal } from "@preact/signals";
 import type { Branch } from "../document/commands/propose";
-import type { Formation } from "../document/formation";
+import type { Formation, Point } from "../document/formation";
 import type { AssignmentSpec, Choice, Scene } from "../document/scene";
 import type { SegmentMotion } from "../playback/motion";
 import type { AffinityRequest } from "./protocol";
@@ -211,6 +211,17 @@ export interface AssignmentQuestion {
   readonly isPredicted: boolean;
 }
 
+/** Who takes which place, and how they get there around what stands in the way. */
+export interface FoundPlaces {
+  readonly slots: readonly number[];
+  /** By agent, where its way to that place bends; nowhere where it is straight. */
+  readonly bends: Bends;
+  /** The same on the way to the place that is its own now. */
+  readonly ownBends: Bends;
+}
+
+export type Bends = readonly (readonly Point[])[];
+
 /** Questions to the engine, each answered once. */
 export interface Engine {
   /** Any text: scene JSON, keyframe CSV or link. */
@@ -225,12 +236,8 @@ export interface Engine {
   assign(source: Formation, target: Formation): Promise<Uint32Array>;
   /** Groups of some agents by the ties of a keyframe: nobody is in two. */
   proposeGroups(scene: Scene, keyframe: number, agents: Uint32Array, way: GroupingWay): Promise<readonly Branch[]>;
-  /** By agent the slot, exactly; null when a later errand or a stop took its place. `tell` hears how far it is, 0..1. */
-  findPlaces(
-    scene: Scene,
-    question: AssignmentQuestion,
-    tell: (progress: number) => void,
-  ): Promise<readonly number[] | null>;
+  /** The least assignment, exactly; null when a later errand or a stop took its place. `tell` hears how far it is, 0..1. */
+  findPlaces(scene: Scene, question: AssignmentQuestion, tell: (progress: number) => void): Promise<FoundPlaces | null>;
   /** Groups of those who keep their distances from a keyframe to the next; `times` below 1, more of them. Null as above. */
   findAlike(
     scene: Scene,

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use eigenform::assignment::{AssignmentSpec, Cost, DEFAULT_LAMBDA, Question, assign, check_locks, cost_of};
+use eigenform::assignment::{AssignmentSpec, Cost, DEFAULT_LAMBDA, Question, assign_around, check_locks, cost_of};
 use eigenform::error::Error;
 use eigenform::scene::{Opened, Scene, group_levels, limits};
 use serde::Serialize;
@@ -21,6 +21,9 @@ const COSTS: Words<Cost> = (
 struct Report<'a> {
     assignment: &'a [u32],
     cost: f64,
+    /// By agent, where its way bends around obstacles; left out where all go straight.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    bends: Vec<Vec<[f64; 2]>>,
 }
 
 pub fn run(arguments: &Assign) -> Result<Vec<String>, Failure> {
@@ -34,8 +37,13 @@ pub fn run(arguments: &Assign) -> Result<Vec<String>, Failure> {
         is_flipped: arguments.flip,
         is_predicted: arguments.predict,
     };
-    let assignment = assign(&question)?;
-    let report = Report { assignment: assignment.targets(), cost: cost_of(&question, &assignment) };
+    let (assignment, bends) = assign_around(&question, &scene.obstacle_shapes(), scene.minimum_distance)?;
+    let cost = cost_of(&question, &assignment, &bends);
+    let mut bends: Vec<Vec<[f64; 2]>> = bends.iter().map(|way| way.iter().map(|place| [place.x, place.y]).collect()).collect();
+    if bends.iter().all(Vec::is_empty) {
+        bends.clear();
+    }
+    let report = Report { assignment: assignment.targets(), cost, bends };
     let json = || serde_json::to_string(&report).expect("numbers are JSON");
     output::print(&if arguments.json { json() } else { lines(&report) })?;
     Ok(notes)

@@ -12,6 +12,51 @@ fn assign_finds_who_stays() {
     assert_eq!(parsed(&text), json!({ "assignment": [3, 0, 1, 2], "cost": 0.0 }));
 }
 
+/// Two on either side of a wall, 2 m from the slot across it and 3 m from the one beside them.
+fn beside_a_wall([low, high]: [f64; 2], distance: f64) -> String {
+    json!({
+        "format": "eigenform", "version": 1, "minimumDistance": distance,
+        "obstacles": [
+            { "kind": "polygon", "points": [[-40, -0.2], [low, -0.2], [low, 0.2], [-40, 0.2]] },
+            { "kind": "polygon", "points": [[high, -0.2], [40, -0.2], [40, 0.2], [high, 0.2]] },
+        ],
+        "keyframes": [{ "positions": [[0, -1], [3, 1]] }, { "time": 4, "positions": [[0, 1], [3, -1]] }],
+    })
+    .to_string()
+}
+
+#[test]
+fn assign_goes_around_obstacles_and_says_where_ways_bend() {
+    let desk = Desk::new();
+    let asked = &["assign", "wall.json", "--from", "0", "--to", "1", "--json"];
+    desk.put("wall.json", &beside_a_wall([-1.0, 4.0], 0.5));
+    // Straight through the gap.
+    assert_eq!(parsed(&desk.answer(asked)), json!({ "assignment": [0, 1], "cost": 8.0 }));
+    desk.put("wall.json", &beside_a_wall([1.0, 1.5], 0.5));
+    assert_eq!(parsed(&desk.answer(asked)), json!({ "assignment": [1, 0], "cost": 18.0 }));
+    let locked = parsed(&desk.answer(&[&asked[..], &["--cost", "euclidean", "--lock", "0:0"]].concat()));
+    let bends = locked["bends"][0].as_array().expect("a way around");
+    assert!(bends.len() > 4 && number(&locked["cost"]) > 80.0, "{locked}");
+}
+
+#[test]
+fn assign_refuses_a_room_without_a_way_out() {
+    let desk = Desk::new();
+    let ring =
+        [[-5.0, -5.0], [5.0, -5.0], [5.0, -0.2], [4.0, -0.2], [4.0, -4.0], [-4.0, -4.0], [-4.0, 4.0], [4.0, 4.0], [4.0, 0.2], [5.0, 0.2]];
+    let outline = [&ring[..], &[[5.0, 5.0], [-5.0, 5.0]]].concat();
+    let scene = json!({
+        "format": "eigenform", "version": 1, "minimumDistance": 0.5,
+        "obstacles": [{ "kind": "polygon", "points": outline }],
+        "keyframes": [{ "positions": [[0, 0], [9, 9]] }, { "time": 4, "positions": [[9, 0], [9, 5]] }],
+    });
+    desk.put("room.json", &scene.to_string());
+    let outcome = desk.run(&["assign", "room.json", "--from", "0", "--to", "1"]);
+    assert_eq!(outcome.code, 2);
+    assert!(outcome.stderr.starts_with("error: no-way: no way leads agent 0 "), "{}", outcome.stderr);
+    assert!(outcome.stderr.trim_end().ends_with("(obstacles[0])"), "{}", outcome.stderr);
+}
+
 /// The positions of the first keyframe, and the sizes of their bounding box.
 fn formation(scene: &str) -> (Vec<[f64; 2]>, [f64; 2]) {
     let scene = parsed(scene);

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use super::terrain::Around;
+
 /// What it costs each source to take each target; finite.
 pub(super) trait Costs {
     /// How many sources.
@@ -48,6 +50,8 @@ pub(super) struct Ways {
     measure: Measure,
     source_count: usize,
     axes: Vec<Axis>,
+    /// Where ways lead around something: their lengths in plan, in place of those axes.
+    around: Option<Around>,
     effort: Option<Effort>,
     /// By source, where sources are alike; empty where none are.
     kinds: Vec<u32>,
@@ -73,7 +77,13 @@ impl Ways {
         let axis = |of: fn(&DVec3) -> f64| Axis { sources: sources.iter().map(of).collect(), targets: targets.iter().map(of).collect() };
         let mut axes = vec![axis(|p| p.x), axis(|p| p.y), axis(|p| p.z)];
         axes.retain(|axis| axis.sources.iter().chain(&axis.targets).any(|&at| at != axis.sources[0]));
-        Self { measure, source_count: sources.len(), axes, effort: None, kinds: vec![] }
+        Self { measure, source_count: sources.len(), axes, around: None, effort: None, kinds: vec![] }
+    }
+
+    /// The same; in plan the ways are those.
+    pub(super) fn leading(mut self, around: Around) -> Self {
+        self.around = Some(around);
+        self
     }
 
     /// λ times the way, and 1 − λ times the squared difference of the spacings.
@@ -90,13 +100,15 @@ impl Ways {
 
     /// The problem of half of the sources and half of the targets.
     pub(super) fn halved(&self) -> Self {
-        self.with_half_the_sources().map_axes(|axis| Axis { targets: half_of(&axis.targets), ..axis })
+        let half = self.with_half_the_sources().map_axes(|axis| Axis { targets: half_of(&axis.targets), ..axis });
+        Self { around: half.around.map(|around| Around { slots: half_of(&around.slots), ..around }), ..half }
     }
 
     /// The costs of half of the sources to all targets.
     pub(super) fn with_half_the_sources(&self) -> Self {
         let half = self.clone().map_axes(|axis| Axis { sources: half_of(&axis.sources), ..axis });
-        Self { source_count: self.source_count.div_ceil(2), kinds: half_of(&self.kinds), ..half }
+        let around = half.around.map(|around| Around { sources: half_of(&around.sources), ..around });
+        Self { source_count: self.source_count.div_ceil(2), kinds: half_of(&self.kinds), around, ..half }
     }
 
     fn map_axes(self, change: fn(Axis) -> Axis) -> Self {
@@ -111,7 +123,10 @@ impl Costs for Ways {
     }
 
     fn row_into(&self, source: usize, row: &mut [f64]) {
-        row.fill(0.0);
+        match &self.around {
+            Some(around) => around.row_into(source, self.measure != Measure::Manhattan, row),
+            None => row.fill(0.0),
+        }
         for Axis { sources, targets } in &self.axes {
             let from = sources[source];
             match self.measure {

@@ -2,21 +2,28 @@
 //!
 //! Locks first, then regions for sections from the outermost in, then slots within each region.
 
-use glam::DVec3;
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
 
 use super::costs::{Measure, Ways};
 use super::guide::{carry, flip};
 use super::solver::Solver;
+use super::terrain::{Around, Ground, Terrain};
 use super::{Assignment, AssignmentSpec, Cost, check_locks};
 use crate::adjacency::propose;
 use crate::error::Error;
 use crate::formation::Formation;
+use crate::obstacle::{Norm, ObstacleShape};
 
 /// No slot, or no number, yet.
 const NONE: u32 = u32::MAX;
 
 /// Costs looked at in a step: some ten milliseconds in a browser.
 const STEP_COSTS: usize = 1 << 22;
+
+/// How much of the work it is to look for ways around obstacles.
+const SURVEY_SHARE: f64 = 0.5;
 
 /// Who takes which place is asked of two formations of one number of agents.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +49,12 @@ pub struct Job {
     targets: Vec<DVec3>,
     sections: Vec<Vec<Option<u32>>>,
     is_flipped: bool,
+    /// Whether agents are taken to stand where they do.
+    is_in_place: bool,
+    /// Obstacles to be looked at before anything else.
+    survey: Option<Box<dyn Terrain>>,
+    /// The same once it is known that they are in the way.
+    terrain: Option<Arc<dyn Terrain>>,
     /// By agent and by slot: mean lengths of Delaunay edges; empty unless the cost asks for them.
     spacings: [Vec<f64>; 2],
     tasks: Vec<Task>,
@@ -92,21 +105,45 @@ impl Job {
             targets,
             sections: if spec.keep_groups { question.sections.to_vec() } else { vec![] },
             is_flipped,
+            is_in_place: !is_flipped && !is_predicted,
+            survey: None,
+            terrain: None,
             spacings: if spec.cost == Cost::LeastEffort { [spacings(source), spacings(target)] } else { [vec![], vec![]] },
             tasks: vec![],
             current: None,
             settled: slots.iter().filter(|slot| **slot != NONE).count(),
             slots,
         };
-        let is_taken = taken(&job.slots);
-        let free = |is_free: &dyn Fn(usize) -> bool| (0..agent_count).filter(|&each| is_free(each)).map(|each| each as u32).collect();
-        let agents = free(&|agent| job.slots[agent] == NONE);
-        job.add(Task { agents, slots: free(&|slot| !is_taken[slot]), ..Task::default() });
+        let [agents, slots] = job.free();
+        job.add(Task { agents, slots, ..Task::default() });
         Ok(job)
     }
 
-    /// Works for a moment; how far it is, 1 when it is done.
-    pub fn step(&mut self) -> f64 {
+    /// The same where ways lead around obstacles, `distance` meters from them: costs are of the shortest way. Mirrored or carried
+    /// agents go straight. Refuses more obstacles than can be gone around.
+    pub fn around(question: &Question, shapes: &[ObstacleShape], distance: f64) -> Result<Self, Error> {
+        let mut job = Self::new(question)?;
+        if !shapes.is_empty() && !job.slots.is_empty() {
+            let norm = norm_of(question.spec.cost);
+            job.survey = Some(Box::new(Ground::new([question.source, question.target], shapes, distance, norm)?));
+        }
+        Ok(job)
+    }
+
+    /// Works for a moment; how far it is, 1 when it is done. Refuses obstacles that leave an agent no way to a slot.
+    pub fn step(&mut self) -> Result<f64, Error> {
+        if let Some(survey) = &mut self.survey {
+            let progress = survey.survey();
+            if progress >= 1.0 {
+                self.take_survey()?;
+            }
+            return Ok(progress * SURVEY_SHARE);
+        }
+        let surveyed = if self.terrain.is_some() { SURVEY_SHARE } else { 0.0 };
+        Ok(surveyed + (1.0 - surveyed) * self.assign())
+    }
+
+    fn assign(&mut self) -> f64 {
         let Some((task, mut solver)) = self.current.take().or_else(|| self.next()) else { return 1.0 };
         if solver.step(STEP_COSTS / task.agents.len()) {
             self.close(&task, &solver);
@@ -119,6 +156,39 @@ impl Job {
         let under_way = self.current.as_ref().filter(|(task, _)| task.parts.is_empty()).map_or(0, |(_, solver)| solver.settled());
         // Not 1 while a task is left, although everybody may have a slot before the last prices are found.
         (self.settled + under_way) as f64 / self.slots.len().max(1) as f64 * 0.999
+    }
+
+    /// Where obstacles are in somebody's way, agents and slots are matched a region at a time; else all goes straight.
+    fn take_survey(&mut self) -> Result<(), Error> {
+        let Some(survey) = self.survey.take() else { return Ok(()) };
+        let terrain: Arc<dyn Terrain> = Arc::from(survey);
+        let [agents, slots] = self.free();
+        if terrain.parts(&agents, &slots) {
+            self.tasks.clear();
+            for [agents, slots] in terrain.regions(&agents, &slots)? {
+                self.add(Task { agents, slots, ..Task::default() });
+            }
+        }
+        self.terrain = Some(terrain);
+        Ok(())
+    }
+
+    /// Agents without a slot, and slots without an agent.
+    fn free(&self) -> [Vec<u32>; 2] {
+        let is_taken = taken(&self.slots);
+        let free = |is_free: &dyn Fn(usize) -> bool| (0..self.slots.len()).filter(|&each| is_free(each)).map(|each| each as u32).collect();
+        [free(&|agent| self.slots[agent] == NONE), free(&|slot| !is_taken[slot])]
+    }
+
+    /// By agent, where its way to one of `slots` bends around obstacles, once it is done.
+    pub fn bends_to(&self, slots: &[u32]) -> Vec<Vec<DVec2>> {
+        let bends = |(agent, slot): (u32, &u32)| self.terrain.as_ref().map_or_else(Vec::new, |terrain| terrain.bends(agent, *slot));
+        (0..).zip(slots).map(bends).collect()
+    }
+
+    /// By agent the slot it got, once it is done.
+    pub fn slots(&self) -> &[u32] {
+        &self.slots
     }
 
     /// The answer, once it is done.
@@ -188,18 +258,34 @@ impl Job {
             Cost::Manhattan => Measure::Manhattan,
             _ => Measure::Squared,
         };
-        if measure == Measure::Squared {
-            center(&mut sources);
-            center(&mut targets);
-        }
-        let ways = Ways::new(measure, &sources, &targets);
+        let around = self.detours(task).map(|terrain| Around {
+            terrain,
+            sets: Arc::new(task.agents.iter().map(|agent| vec![*agent]).collect()),
+            sources: (0..task.agents.len() as u32).collect(),
+            slots: task.slots.clone(),
+        });
+        let ways = if let Some(around) = around {
+            Ways::new(measure, &heights_of(&sources), &heights_of(&targets)).leading(around)
+        } else {
+            if measure == Measure::Squared {
+                center(&mut sources);
+                center(&mut targets);
+            }
+            Ways::new(measure, &sources, &targets)
+        };
         match &self.spacings {
             [from, _] if from.is_empty() => ways,
             [from, to] => ways.with_effort(self.spec.lambda, only(from, &task.agents), only(to, &task.slots)),
         }
     }
 
-    /// From the barycenters of sections to the slots: squared, so that regions are cells which lines part.
+    /// What is in the way between these agents and slots.
+    fn detours(&self, task: &Task) -> Option<Arc<dyn Terrain>> {
+        self.terrain.clone().filter(|terrain| self.is_in_place && terrain.parts(&task.agents, &task.slots))
+    }
+
+    /// From the barycenters of sections to the slots: squared, so that regions are cells which lines part. Around obstacles: the mean of
+    /// the squared ways of its agents, which is the same but for a number for each section.
     fn regions(&self, task: &Task) -> Ways {
         let mut sums = vec![(DVec3::ZERO, 0.0); part_count(&task.parts)];
         for (part, agent) in task.parts.iter().zip(&task.agents) {
@@ -210,10 +296,28 @@ impl Job {
         let middle = |part: &u32| sums[*part as usize].0 / sums[*part as usize].1;
         let mut sources: Vec<DVec3> = task.parts.iter().map(middle).collect();
         let mut targets = only(&self.targets, &task.slots);
-        center(&mut sources);
-        center(&mut targets);
-        Ways::new(Measure::Squared, &sources, &targets).with_kinds(task.parts.clone())
+        let ways = if let Some(terrain) = self.detours(task) {
+            let mut sets = vec![Vec::new(); sums.len()];
+            task.parts.iter().zip(&task.agents).for_each(|(part, agent)| sets[*part as usize].push(*agent));
+            let around = Around { terrain, sets: Arc::new(sets), sources: task.parts.clone(), slots: task.slots.clone() };
+            Ways::new(Measure::Squared, &heights_of(&sources), &heights_of(&targets)).leading(around)
+        } else {
+            center(&mut sources);
+            center(&mut targets);
+            Ways::new(Measure::Squared, &sources, &targets)
+        };
+        ways.with_kinds(task.parts.clone())
     }
+}
+
+/// What measures the ways that a cost is of.
+pub(super) fn norm_of(cost: Cost) -> Norm {
+    if cost == Cost::Manhattan { Norm::Manhattan } else { Norm::Euclidean }
+}
+
+/// Everybody at one place in plan, as high as they are.
+fn heights_of(points: &[DVec3]) -> Vec<DVec3> {
+    points.iter().map(|point| point.with_x(0.0).with_y(0.0)).collect()
 }
 
 /// Who is not locked keeps the slot of their own number; whoever loses it takes the one that the chain of locks leaves.

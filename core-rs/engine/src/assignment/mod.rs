@@ -1,7 +1,7 @@
 //! Who takes which place of the next formation.
 //!
 //! The exact optimum, never an approximation: shortest augmenting paths on costs that are computed when they are asked for, so that
-//! no matrix of agents × agents is ever stored.
+//! no matrix of agents × agents is ever stored. Where obstacles are between, a cost is of the shortest way around them.
 
 mod augment;
 mod costs;
@@ -9,15 +9,19 @@ mod guide;
 mod job;
 mod solver;
 mod spec;
+mod terrain;
 
 pub use job::{Job, Question};
 pub use spec::{AssignmentSpec, Cost, DEFAULT_LAMBDA, check_locks};
+
+use glam::{DVec2, DVec3};
 
 use augment::Search;
 use costs::ByFunction;
 
 use crate::error::Error;
 use crate::formation::Formation;
+use crate::obstacle::ObstacleShape;
 
 /// A bijection from source slots to target slots.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -77,7 +81,7 @@ pub fn maximize(agent_count: usize, gain: impl Fn(usize, usize) -> f64) -> Assig
 pub fn squared(source: &Formation, target: &Formation) -> Assignment {
     let spec = AssignmentSpec::default();
     let question = Question { source, target, spec: &spec, sections: &[], is_flipped: false, is_predicted: false };
-    let Ok(assignment) = assign(&question) else { unreachable!("without locks nothing contradicts") };
+    let Ok(assignment) = assign(&question) else { unreachable!("without locks and obstacles nothing contradicts") };
     assignment
 }
 
@@ -87,16 +91,35 @@ pub fn squared(source: &Formation, target: &Formation) -> Assignment {
 /// When the formations differ in number.
 pub fn assign(question: &Question) -> Result<Assignment, Error> {
     let mut job = Job::new(question)?;
-    while job.step() < 1.0 {}
+    while job.step()? < 1.0 {}
     Ok(job.into_assignment())
 }
 
+/// The same with ways that keep `distance` meters from obstacles, and where the way of each agent bends around them.
+///
+/// # Panics
+/// When the formations differ in number.
+pub fn assign_around(question: &Question, shapes: &[ObstacleShape], distance: f64) -> Result<(Assignment, Vec<Vec<DVec2>>), Error> {
+    let mut job = Job::around(question, shapes, distance)?;
+    while job.step()? < 1.0 {}
+    let bends = job.bends_to(job.slots());
+    Ok((job.into_assignment(), bends))
+}
+
 /// What an assignment costs, in the unit of its cost: square meters, or meters of Euclidean and Manhattan. Of [`Cost::Keep`] it is the
-/// sum of squared distances.
-pub fn cost_of(question: &Question, assignment: &Assignment) -> f64 {
+/// sum of squared distances. `bends`: by agent, where its way bends; agents beyond its end go straight.
+pub fn cost_of(question: &Question, assignment: &Assignment, bends: &[Vec<DVec2>]) -> f64 {
     let Question { source, target, spec, .. } = *question;
     let (from, to) = (source.places(), target.places());
-    let way = |agent: usize, slot: usize| from.at(agent) - to.at(slot);
+    let norm = job::norm_of(spec.cost);
+    // As long as its way in plan, as high as it climbs.
+    let way = |agent: usize, slot: usize| {
+        let straight = from.at(agent) - to.at(slot);
+        let Some(bends) = bends.get(agent).filter(|bends| !bends.is_empty()) else { return straight };
+        let ends = [from.at(agent), to.at(slot)].map(DVec3::truncate);
+        let places = [&ends[..1], bends, &ends[1..]].concat();
+        DVec2::new(places.windows(2).map(|pair| norm.of(pair[1] - pair[0])).sum(), 0.0).extend(straight.z)
+    };
     match spec.cost {
         Cost::Squared | Cost::Keep => assignment.total(|agent, slot| way(agent, slot).length_squared()),
         Cost::Euclidean => assignment.total(|agent, slot| way(agent, slot).length()),

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::{Scene, Track};
 use crate::error::Error;
 use crate::formation::Formation;
+use crate::obstacle::ObstacleShape;
 
 /// Round-off allowed when a duration is a whole number of frames.
 const FRAME_TOLERANCE: f64 = 1e-9;
@@ -23,6 +24,11 @@ impl Scene {
             [source, target, ..] => Ok([&source.positions, &target.positions]),
             _ => Err(Error::OneKeyframe),
         }
+    }
+
+    /// The outlines of what stands on the stage.
+    pub fn obstacle_shapes(&self) -> Vec<ObstacleShape> {
+        self.obstacles.iter().map(|obstacle| obstacle.shape.clone()).collect()
     }
 
     /// When the last hold ends, seconds.

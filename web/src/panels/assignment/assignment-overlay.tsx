@@ -48,7 +48,9 @@ export function AssignmentOverlay() {
         if (!context || !trial || !places) return;
         const drag = doing.value.kind === "locking" ? doing.value : null;
         const { locks } = trial.question.value.recipe;
-        const sketch: TrialSketch = { from: places[0], to: places[1], slots: trial.slots.value, locks, drag };
+        const found = trial.found.value;
+        const [slots, bends] = [found?.slots ?? null, found?.bends ?? []];
+        const sketch: TrialSketch = { from: places[0], to: places[1], slots, bends, locks, drag };
         drawTrial(context, sketch, { camera, size, palette, colors });
       }),
     [view, palette, stored],

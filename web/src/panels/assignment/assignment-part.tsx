@@ -15,7 +15,8 @@ const COSTS: readonly { readonly value: Cost; readonly label: string }[] = [
   { value: "manhattan", label: "Manhattan" },
 ];
 
-const FIRST: AssignmentSpec = { cost: "keep", lambda: 0.9, locks: [], keepGroups: false };
+/** Everybody keeps their place. */
+export const FIRST: AssignmentSpec = { cost: "keep", lambda: 0.9, locks: [], keepGroups: false };
 
 /** Who goes where in a transition: how it was found, and, once another way is chosen, what that would make of it. */
 export function AssignmentPart({ index, segment }: { index: number; segment: Segment }) {

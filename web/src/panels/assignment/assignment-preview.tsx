@@ -21,14 +21,14 @@ export function AssignmentPreview(props: { index: number; trial: AssignmentTrial
   const { keyframes } = mainTrack(scene);
   const [from, to] = [keyframes[index]?.positions, keyframes[index + 1]?.positions];
   const { recipe, isFlipped, isPredicted } = trial.question.value;
-  const slots = trial.slots.value;
-  useEffect(() => trial.ask(), [trial, from, to, scene.groups]);
+  const found = trial.found.value;
+  useEffect(() => trial.ask(), [trial, from, to, scene.groups, scene.obstacles, scene.minimumDistance]);
   useOnStage(trial, onClose);
   if (!from || !to) return null;
 
   function accept(): void {
-    if (!slots) return;
-    document.perform(assignPlaces(index, slots, recipe));
+    if (!found) return;
+    document.perform(assignPlaces(index, found.slots, recipe));
     messages.announce("Places assigned");
     onClose();
   }
@@ -80,10 +80,14 @@ export function AssignmentPreview(props: { index: number; trial: AssignmentTrial
           )}
         </>
       )}
-      <WalkLines scene={scene} now={walksOf(from, to)} then={slots && walksOf(from, to, slots)} />
+      <WalkLines
+        scene={scene}
+        now={walksOf(from, to, found?.ownBends)}
+        then={found && walksOf(from, to, found.bends, found.slots)}
+      />
       <UnderWay trial={trial} />
       <div class="inspector-buttons">
-        <button type="button" class="button" disabled={!slots || trial.progress.value !== null} onClick={accept}>
+        <button type="button" class="button" disabled={!found || trial.progress.value !== null} onClick={accept}>
           Accept
         </button>
         <button type="button" class="button" onClick={onClose}>

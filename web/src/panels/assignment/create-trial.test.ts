@@ -1,12 +1,15 @@
 import { expect, test } from "vitest";
 import { emptyScene } from "../../document/defaults";
+import type { FoundPlaces } from "../../engine/api";
 import { createTrial } from "./create-trial";
 
 const RECIPE = { cost: "squared", lambda: 0.9, locks: [], keepGroups: false } as const;
 
+const found = (slots: readonly number[]): FoundPlaces => ({ slots, bends: [], ownBends: [] });
+
 /** The engine answers when the test says so. */
 function bench() {
-  const answers: ((slots: readonly number[] | null) => void)[] = [];
+  const answers: ((found: FoundPlaces | null) => void)[] = [];
   let stops = 0;
   const trial = createTrial(0, RECIPE, {
     scene: emptyScene,
@@ -23,10 +26,10 @@ test("of two questions the later one is shown, whichever is answered last", asyn
   const { trial, answers, settled } = bench();
   trial.ask();
   trial.setRecipe({ cost: "manhattan" });
-  answers[1]?.([1, 0]);
-  answers[0]?.([0, 1]);
+  answers[1]?.(found([1, 0]));
+  answers[0]?.(found([0, 1]));
   await settled();
-  expect(trial.slots.value).toEqual([1, 0]);
+  expect(trial.found.value?.slots).toEqual([1, 0]);
   expect(trial.progress.value).toBeNull();
 });
 
@@ -46,12 +49,12 @@ test("an agent has one lock and so has a place; without any nothing is predicted
 test("stopped, the answer before stays", async () => {
   const { trial, answers, settled, stopCount } = bench();
   trial.ask();
-  answers[0]?.([0, 1]);
+  answers[0]?.(found([0, 1]));
   await settled();
   trial.setWay({ isFlipped: true });
   trial.stop();
   answers[1]?.(null);
   await settled();
-  expect(trial.slots.value).toEqual([0, 1]);
+  expect(trial.found.value?.slots).toEqual([0, 1]);
   expect([trial.progress.value, stopCount()]).toEqual([null, 1]);
 });

@@ -1,12 +1,12 @@
 import { type ReadonlySignal, signal } from "@preact/signals";
 import type { AssignmentSpec, Scene } from "../../document/scene";
-import type { AssignmentQuestion } from "../../engine/api";
+import type { AssignmentQuestion, FoundPlaces } from "../../engine/api";
 
 /** Who would go where, on trial: the scene stays as it is until the answer is accepted. */
 export interface AssignmentTrial {
   readonly question: ReadonlySignal<AssignmentQuestion>;
-  /** By agent, the place it would take; null until there is an answer. */
-  readonly slots: ReadonlySignal<readonly number[] | null>;
+  /** Who would take which place; null until there is an answer. */
+  readonly found: ReadonlySignal<FoundPlaces | null>;
   /** 0..1; null when nothing is under way. */
   readonly progress: ReadonlySignal<number | null>;
   /** Why there is no answer, in a sentence. */
@@ -24,14 +24,14 @@ export interface AssignmentTrial {
 
 export interface TrialParts {
   scene(): Scene;
-  find(scene: Scene, question: AssignmentQuestion, tell: (progress: number) => void): Promise<readonly number[] | null>;
+  find(scene: Scene, question: AssignmentQuestion, tell: (progress: number) => void): Promise<FoundPlaces | null>;
   stop(): void;
 }
 
 /** Of several questions under way the latest counts. */
 export function createTrial(segment: number, recipe: AssignmentSpec, parts: TrialParts): AssignmentTrial {
   const question = signal<AssignmentQuestion>({ segment, recipe, isFlipped: false, isPredicted: false });
-  const slots = signal<readonly number[] | null>(null);
+  const found = signal<FoundPlaces | null>(null);
   const progress = signal<number | null>(null);
   const problem = signal<string | null>(null);
   let latest = 0;
@@ -43,10 +43,10 @@ export function createTrial(segment: number, recipe: AssignmentSpec, parts: Tria
     progress.value = 0;
     problem.value = null;
     try {
-      const found = await parts.find(parts.scene(), question.peek(), (at) => {
+      const answer = await parts.find(parts.scene(), question.peek(), (at) => {
         if (isLatest()) progress.value = at;
       });
-      if (isLatest() && found) slots.value = found;
+      if (isLatest() && answer) found.value = answer;
     } catch (error) {
       if (isLatest()) problem.value = error instanceof Error ? error.message : String(error);
     }
@@ -66,7 +66,7 @@ export function createTrial(segment: number, recipe: AssignmentSpec, parts: Tria
   const locks = () => question.peek().recipe.locks;
   return {
     question,
-    slots,
+    found,
     progress,
     problem,
     setRecipe: (part) => change({ recipe: { ...question.peek().recipe, ...part } }),

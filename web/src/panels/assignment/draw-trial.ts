@@ -1,4 +1,5 @@
 import type { Formation, Point } from "../../document/formation";
+import type { Bends } from "../../engine/api";
 import { type Size, toScreen } from "../../stage/camera";
 import type { Palette } from "../../stage/palette";
 import { discRadius, neighborSpacing, screenSpacing } from "../../stage/spacing";
@@ -17,6 +18,8 @@ export interface TrialSketch {
   readonly to: Formation;
   /** By agent, the place it would take; null while it is not known. */
   readonly slots: readonly number[] | null;
+  /** By agent, where its way there bends. */
+  readonly bends: Bends;
   readonly locks: readonly (readonly [agent: number, slot: number])[];
   /** An agent being dragged, where to, and the place it would be locked to. */
   readonly drag: { readonly agent: number; readonly at: Point; readonly slot: number | null } | null;
@@ -32,7 +35,7 @@ export interface Look {
 
 /** Discs where the agents are, rings where they go, a line each; locked ones firm, the longest walk marked. */
 export function drawTrial(context: CanvasRenderingContext2D, sketch: TrialSketch, look: Look): void {
-  const { from, to, slots, locks, drag } = sketch;
+  const { from, to, slots, bends, locks, drag } = sketch;
   const { camera, size, palette, colors } = look;
   const radius = discRadius(screenSpacing(neighborSpacing(from), camera.scale));
   context.clearRect(0, 0, size.width, size.height);
@@ -40,31 +43,32 @@ export function drawTrial(context: CanvasRenderingContext2D, sketch: TrialSketch
   context.fillStyle = palette.sheet;
   context.fillRect(0, 0, size.width, size.height);
   context.lineCap = "round";
-  const line = (agent: number, end: Point) => {
-    const [a, b] = [toScreen(camera, from.point(agent)), toScreen(camera, end)];
+  const line = (agent: number, end: Point, way: readonly Point[] = []) => {
     context.beginPath();
-    context.moveTo(a.x, a.y);
-    context.lineTo(b.x, b.y);
+    for (const place of [from.point(agent), ...way, end]) {
+      const { x, y } = toScreen(camera, place);
+      context.lineTo(x, y);
+    }
     context.stroke();
   };
   context.globalAlpha = from.agentCount > MANY ? 0.35 : 0.7;
   context.lineWidth = from.agentCount > MANY ? 0.8 : 1.4;
   slots?.forEach((slot, agent) => {
     context.strokeStyle = colors[agent] ?? palette.ink2;
-    line(agent, to.point(slot));
+    line(agent, to.point(slot), bends[agent]);
   });
   drawDiscs(context, sketch, look, radius);
   context.globalAlpha = 1;
   context.strokeStyle = palette.ink;
   context.lineWidth = 2;
-  const longest = slots ? walksOf(from, to, slots).who : -1;
+  const longest = slots ? walksOf(from, to, bends, slots).who : -1;
   if (slots && longest >= 0) {
     context.setLineDash([6, 4]);
-    line(longest, to.point(slots[longest] ?? longest));
+    line(longest, to.point(slots[longest] ?? longest), bends[longest]);
     context.setLineDash([]);
   }
   context.lineWidth = 2.5;
-  for (const [agent, slot] of locks) line(agent, to.point(slot));
+  for (const [agent, slot] of locks) line(agent, to.point(slot), slots?.[agent] === slot ? bends[agent] : []);
   if (drag) {
     context.strokeStyle = palette.you;
     line(drag.agent, drag.slot === null ? drag.at : to.point(drag.slot));

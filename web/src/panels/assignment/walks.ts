@@ -1,6 +1,7 @@
-import type { Formation } from "../../document/formation";
+import type { Formation, Point } from "../../document/formation";
+import type { Bends } from "../../engine/api";
 
-/** The straight ways of everybody, meters. */
+/** The ways of everybody, meters: straight, or as they bend around obstacles. */
 export interface Walks {
   readonly total: number;
   readonly longest: number;
@@ -8,17 +9,29 @@ export interface Walks {
   readonly who: number;
 }
 
-/** @param slots by agent, the place it takes; absent: its own */
-export function walksOf(from: Formation, to: Formation, slots?: readonly number[]): Walks {
+/**
+ * @param bends by agent, where its way bends
+ * @param slots by agent, the place it takes; absent: its own
+ */
+export function walksOf(from: Formation, to: Formation, bends?: Bends, slots?: readonly number[]): Walks {
   let [total, longest, who] = [0, 0, -1];
   for (let agent = 0; agent < from.agentCount; agent += 1) {
     const slot = slots?.[agent] ?? agent;
     const rise = to.height(slot) - from.height(agent);
-    const way = Math.hypot(to.x(slot) - from.x(agent), to.y(slot) - from.y(agent), rise);
+    const way = Math.hypot(lengthOf([from.point(agent), ...(bends?.[agent] ?? []), to.point(slot)]), rise);
     total += way;
     if (way > longest || who < 0) [longest, who] = [way, agent];
   }
   return { total, longest, who };
+}
+
+function lengthOf(places: readonly Point[]): number {
+  let length = 0;
+  for (let k = 1; k < places.length; k += 1) {
+    const [from, to] = [places[k - 1] ?? [0, 0], places[k] ?? [0, 0]];
+    length += Math.hypot(to[0] - from[0], to[1] - from[1]);
+  }
+  return length;
 }
 
 /** The agent or place nearest to a point in plan, within a reach; null when none is. */

@@ -4,8 +4,9 @@ import { obstacleLabel } from "../../document/obstacle";
 import { agentLabel, keyframeLabel } from "../../document/queries";
 import { mainTrack, type Scene } from "../../document/scene";
 import { formatTime, lengthWithUnit } from "../../document/units";
-import type { Approach, KeyframeBreach, ObstacleApproach, SegmentReport } from "../../engine/api";
+import type { Approach, Engine, KeyframeBreach, ObstacleApproach, SegmentReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
+import { FIRST } from "../assignment/assignment-part";
 import { useStudio } from "../studio";
 import { type NextStep, nextSteps } from "./next-steps";
 
@@ -58,9 +59,8 @@ function NextSteps({ index, report, goTo }: { index: number; report: SegmentRepo
         actions.get("add-keyframe").run();
         return;
       case "assign": {
-        const { keyframes } = mainTrack(document.scene.peek());
-        const [from, to] = [keyframes[index]?.positions, keyframes[index + 1]?.positions];
-        if (from && to) document.perform(takePlaces(index + 1, await engine.assign(from, to)));
+        const slots = await nearestPlaces(document.scene.peek(), index, engine);
+        if (slots) document.perform(takePlaces(index + 1, slots));
       }
     }
   };
@@ -74,6 +74,17 @@ function NextSteps({ index, report, goTo }: { index: number; report: SegmentRepo
       ))}
     </fieldset>
   );
+}
+
+/** By agent the place it takes at the end of a transition, the squared ways least in sum: around obstacles, where there are any. */
+async function nearestPlaces(scene: Scene, segment: number, engine: Engine): Promise<ArrayLike<number> | null> {
+  const { keyframes } = mainTrack(scene);
+  const [from, to] = [keyframes[segment]?.positions, keyframes[segment + 1]?.positions];
+  if (!from || !to) return null;
+  if (scene.obstacles.length === 0) return engine.assign(from, to);
+  const recipe = { ...FIRST, cost: "squared" } as const;
+  const found = await engine.findPlaces(scene, { segment, recipe, isFlipped: false, isPredicted: false }, () => {});
+  return found?.slots ?? null;
 }
 
 function Meeting({ scene, clash, onGo }: { scene: Scene; clash: Approach; onGo(): void }) {
