@@ -40,6 +40,10 @@ pub fn suite() -> Vec<(&'static str, Motion)> {
     let square = |at: DVec2| (0..100).map(move |k| at + DVec2::new(f64::from(k % 10), f64::from(k / 10)) * SPACING);
     let (west, south): (Vec<DVec2>, Vec<DVec2>) = (square(DVec2::new(-16.0, 0.0)).collect(), square(DVec2::new(0.0, -16.0)).collect());
     let (east, north): (Vec<DVec2>, Vec<DVec2>) = (square(DVec2::new(16.0, 0.0)).collect(), square(DVec2::new(0.0, 16.0)).collect());
+    let wide = |at: DVec2| (0..64).map(move |k| at + DVec2::new(f64::from(k % 8) - 3.5, f64::from(k / 8) - 3.5) * 2.0);
+    let crossing = |from: DVec2, to: DVec2| {
+        straight(&wide(-from).chain(wide(-to)).collect::<Vec<_>>(), &wide(from).chain(wide(to)).collect::<Vec<_>>(), 12.0)
+    };
     let grid: Vec<DVec2> = square(DVec2::ZERO).collect();
     let shuffled: Vec<DVec2> = (0..100).map(|k| grid[(k * 37 + 11) % 100]).collect();
     let [block_source, block_target] = blocks(10, 10, SPACING);
@@ -50,6 +54,8 @@ pub fn suite() -> Vec<(&'static str, Motion)> {
         ("circle of 40", straight(&ring, &opposite, 8.0)),
         ("two 10 x 10 blocks", straight(&block_source, &block_target, 8.0)),
         ("blocks at right angles", straight(&[west, south].concat(), &[east, north].concat(), 8.0)),
+        ("8 x 8 blocks, 2 m, end-on", crossing(DVec2::new(16.0, 0.0), DVec2::new(-16.0, 0.0))),
+        ("8 x 8 blocks, 2 m, at right angles", crossing(DVec2::new(16.0, 0.0), DVec2::new(0.0, 16.0))),
         ("a grid of 100 shuffled", straight(&grid, &shuffled, 8.0)),
         ("lines that cross", exchange(line(20, DVec2::ZERO, across).collect(), slanted)),
     ]

@@ -96,6 +96,45 @@ fn only_those_who_clash_are_moved_and_only_near_the_clash() {
     assert!((0.25..0.3).contains(&widest), "{widest}");
 }
 
+/// Two blocks that cross in the middle, the second's way turned by `angle` degrees from the first's.
+fn blocks(columns: usize, spacing: f64, distance_apart: f64, angle: f64) -> Motion {
+    let half = 0.5 * (columns - 1) as f64 * spacing;
+    let block = (0..columns * columns).map(|k| DVec2::new((k % columns) as f64, (k / columns) as f64) * spacing - DVec2::splat(half));
+    let block: Vec<DVec2> = block.collect();
+    let at = |middle: DVec2| block.iter().map(move |p| *p + middle);
+    let [west, other] = [DVec2::X, DVec2::from_angle(angle.to_radians())].map(|way| -distance_apart * way);
+    straight(&at(west).chain(at(other)).collect::<Vec<_>>(), &at(-west).chain(at(-other)).collect::<Vec<_>>())
+}
+
+#[test]
+fn blocks_pass_through_one_another_and_are_whole_again() {
+    // By half their spacing of 2 m and by less, end-on, at right angles and between; and the spacing of a drill field.
+    let cases = [
+        (8, 2.0, 16.0, 180.0, 0.5),
+        (8, 2.0, 16.0, 180.0, 1.0),
+        (8, 2.0, 16.0, 90.0, 0.5),
+        (8, 2.0, 16.0, 90.0, 1.0),
+        (8, 2.0, 24.0, 90.0, 1.0),
+        (10, 1.143, 16.0, 90.0, 0.5),
+        (6, 2.0, 14.0, 135.0, 0.5),
+    ];
+    for (columns, spacing, apart, angle, minimum_distance) in cases {
+        let guide = blocks(columns, spacing, apart, angle);
+        let result = edited(Avoidance { minimum_distance, ..avoidance() }, &guide);
+        let case = format!("{columns} × {columns} at {spacing} m, {angle}°, {minimum_distance} m: {:?}", result.report.deviation);
+        assert!(result.report.is_solved() && clashes(&result.motion, minimum_distance - 1e-6).is_empty(), "{case}");
+        assert_eq!(result.motion.sample(last(&guide)), guide.sample(last(&guide)), "{case}");
+        assert!(result.motion.top_speed() <= 1.5 * guide.top_speed(), "{case}");
+    }
+}
+
+#[test]
+fn a_ring_changes_sides_as_a_roundabout() {
+    let ring: Vec<DVec2> = (0..40).map(|k| DVec2::from_angle(f64::from(k) / 40.0 * std::f64::consts::TAU) * 10.0).collect();
+    let result = edited(avoidance(), &straight(&ring, &ring.iter().map(|p| -*p).collect::<Vec<_>>()));
+    assert!(result.report.is_solved() && result.report.deviation[1] < 0.25 * 20.0, "{:?}", result.report.deviation);
+}
+
 #[test]
 fn other_labels_are_solved_as_well() {
     let circle: Vec<DVec2> = (0..9).map(|k| DVec2::from_angle(f64::from(k) * 0.7) * (2.0 + f64::from(k % 3))).collect();
@@ -193,6 +232,36 @@ fn marchers_pass_what_stands_in_their_way() {
                     }
                 }
             }
+        }
+    }
+}
+
+/// σ of the distances to the nearest neighbor, meters.
+fn structure_deviation(places: &[DVec2]) -> f64 {
+    let nearest = |p: &DVec2| places.iter().map(|q| p.distance(*q)).filter(|away| *away > 0.0).fold(f64::INFINITY, f64::min);
+    let distances: Vec<f64> = places.iter().map(nearest).collect();
+    let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+    (distances.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / distances.len() as f64).sqrt()
+}
+
+#[test]
+fn a_formation_wider_than_an_obstacle_opens_about_it_and_closes_again() {
+    let block: Vec<DVec2> = (0..36).map(|k| DVec2::new(f64::from(k % 6) - 2.5, f64::from(k / 6) - 2.5) * 1.5).collect();
+    let ring: Vec<DVec2> = (0..30).map(|k| DVec2::from_angle(f64::from(k) / 30.0 * std::f64::consts::TAU) * 6.0).collect();
+    for (who, formation) in [("a block", block), ("a ring", ring)] {
+        for (obstacle, outline) in obstacles() {
+            let at = |x: f64| formation.iter().map(|p| *p + DVec2::X * x).collect::<Vec<_>>();
+            let guide = straight(&at(-16.0), &at(16.0));
+            let result = edited(Avoidance { obstacles: vec![outline.clone()], ..avoidance() }, &guide);
+            assert!(result.report.is_solved(), "{who} around {obstacle}: {:?}", result.report.blocked);
+            let middle = guide.times().len() / 2;
+            let passed = |side: f64| (0..formation.len()).any(|agent| side * result.motion.sample(middle)[agent].y > 3.0);
+            assert!(passed(1.0) && passed(-1.0), "{who} around {obstacle}: on both sides");
+            // Each goes no farther aside than half the obstacle, its clearance and a little: on one side some would go twice that.
+            assert!(result.report.deviation[1] < 3.0, "{who} around {obstacle}: {:?}", result.report.deviation);
+            let [before, after] = [0, last(&guide)].map(|k| structure_deviation(result.motion.sample(k)));
+            // The same places 32 m on: rounding of coordinates below 32.
+            assert!((before - after).abs() < 1e-12, "{who} around {obstacle}: {before} {after}");
         }
     }
 }

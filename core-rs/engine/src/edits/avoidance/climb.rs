@@ -48,7 +48,7 @@ impl Climb {
         let knot_count = rung.knot_count(*ways, avoidance.minimum_distance, guide.times().len());
         let mut paths = at_knots(guide, knot_count);
         if !avoidance.obstacles.is_empty() {
-            reroute(&mut paths, &avoidance.obstacles, avoidance.minimum_distance, avoidance.is_clamped);
+            reroute(&mut paths, &avoidance.obstacles, avoidance.minimum_distance, avoidance.is_clamped, rung.may_split);
         }
         warp(&mut paths);
         let kernel = rung.kernel(*ways, avoidance, knot_count);

@@ -3,7 +3,8 @@
 use super::attempt::Attempt;
 use super::climb::{Climb, ClimbStep};
 use super::problem::Problem;
-use super::rungs::RUNGS;
+use super::rungs::{Bend, RUNGS};
+use super::streams::Streams;
 use super::warp::{is_sane, stuck, swirl};
 use super::{Avoidance, AvoidanceReport, Edited};
 use crate::motion::Motion;
@@ -20,7 +21,15 @@ pub enum AvoidanceStep {
 pub struct AvoidanceJob {
     phase: Phase,
     rung: usize,
-    best: Option<Attempt>,
+    best: Option<Best>,
+    streams: Option<Streams>,
+}
+
+/// The best attempt so far.
+struct Best {
+    attempt: Attempt,
+    /// Whether somebody has to run or to go far astray.
+    is_hasty: bool,
 }
 
 enum Phase {
@@ -36,7 +45,7 @@ impl AvoidanceJob {
     /// When the minimum distance is not above zero: nothing is to be avoided then.
     pub fn new(avoidance: Avoidance, guide: Motion) -> Self {
         assert!(avoidance.minimum_distance > 0.0, "there is a distance to keep");
-        Self { phase: Phase::Checking(Box::new((avoidance, guide))), rung: 0, best: None }
+        Self { phase: Phase::Checking(Box::new((avoidance, guide))), rung: 0, best: None, streams: None }
     }
 
     /// Works for some milliseconds; longer for thousands of agents.
@@ -73,39 +82,56 @@ impl AvoidanceJob {
             let report = AvoidanceReport { deviation: [0.0; 2], unsolved: clashes, blocked, breaches, rung: 0 };
             return AvoidanceStep::Done(Box::new(Edited { motion: guide, deviation: None, report }));
         }
+        self.streams = Streams::of(&problem.guide, &problem.clashes, problem.avoidance.minimum_distance);
         self.start_rung(problem);
         self.progress(0.0)
     }
 
     fn start_rung(&mut self, problem: Problem) {
         let rung = RUNGS[self.rung];
-        let climb = Climb::new(&problem, rung, self.rung + 1, |paths| {
-            if let (Some(best), true) = (&self.best, rung.swirl > 0.0) {
-                let is_stuck = stuck(&best.clashes, &problem.clashes, problem.guide.agent_count());
-                swirl(paths, &is_stuck, rung.swirl * problem.avoidance.minimum_distance);
+        let distance = problem.avoidance.minimum_distance;
+        let climb = Climb::new(&problem, rung, self.rung + 1, |paths| match rung.bend {
+            Bend::No => {}
+            Bend::Swirl(width) => {
+                if let Some(best) = &self.best {
+                    let is_stuck = stuck(&best.attempt.clashes, &problem.clashes, problem.guide.agent_count());
+                    swirl(paths, &is_stuck, width * distance);
+                }
             }
+            Bend::Open(share) => self.streams.iter().for_each(|streams| streams.open(paths, share, distance)),
         });
         self.phase = Phase::Climbing(Box::new((problem, climb)));
     }
 
-    /// Keeps an attempt that leaves fewer too near than any before; a swirl only where it solves and can be shown.
+    /// Keeps an attempt that leaves fewer too near than any before, or as few without haste; a bent one only where it solves and can be
+    /// shown.
     fn keep(&mut self, attempt: Attempt, problem: &Problem) {
-        if RUNGS[self.rung].swirl > 0.0 && (attempt.open_count > 0 || !is_sane(&attempt, problem)) {
+        let is_hasty = !is_sane(&attempt, problem);
+        if RUNGS[self.rung].bend != Bend::No && (attempt.open_count > 0 || is_hasty) {
             return;
         }
-        if self.best.as_ref().is_none_or(|best| attempt.open_count < best.open_count) {
-            self.best = Some(attempt);
+        let is_better = |best: &Best| (attempt.open_count, is_hasty) < (best.attempt.open_count, best.is_hasty);
+        if self.best.as_ref().is_none_or(is_better) {
+            self.best = Some(Best { attempt, is_hasty });
         }
+    }
+
+    /// Whether nobody is too near, and where streams may still open, nobody has to run.
+    fn is_good_enough(&self) -> bool {
+        let may_open = self.streams.is_some() && RUNGS[self.rung..].iter().any(|rung| matches!(rung.bend, Bend::Open(_)));
+        self.best.as_ref().is_some_and(|best| best.attempt.open_count == 0 && !(best.is_hasty && may_open))
     }
 
     fn end_rung(&mut self, problem: Problem) -> AvoidanceStep {
         self.rung += 1;
-        let is_done = self.rung == RUNGS.len() || self.best.as_ref().is_some_and(|best| best.open_count == 0);
-        if !is_done {
+        while self.streams.is_none() && RUNGS.get(self.rung).is_some_and(|rung| matches!(rung.bend, Bend::Open(_))) {
+            self.rung += 1;
+        }
+        if self.rung < RUNGS.len() && !self.is_good_enough() {
             self.start_rung(problem);
             return self.progress(0.0);
         }
         let best = self.best.take().expect("a rung was climbed");
-        AvoidanceStep::Done(Box::new(best.into_edited(problem.breaches, problem.avoidance.is_clamped)))
+        AvoidanceStep::Done(Box::new(best.attempt.into_edited(problem.breaches, problem.avoidance.is_clamped)))
     }
 }

@@ -15,6 +15,7 @@ mod reroute;
 mod rungs;
 mod sampling;
 mod spread;
+mod streams;
 mod warp;
 
 use crate::motion::{Approach, Motion, clashes};

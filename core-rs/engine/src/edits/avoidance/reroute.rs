@@ -1,7 +1,7 @@
 //! Leads a guide around what stands in its way, before anybody is pushed.
 //!
 //! Whoever heads the same way passes on the same side, each as far outside as they stand to that side of the others: a block bows out
-//! as a block. The way around is the shortest about the convex hull of the obstacle, grown by the distance; it is walked with the
+//! as a block. A block that is wider than the obstacle on both sides opens about its middle and closes behind it. The way around is the shortest about the convex hull of the obstacle, grown by the distance; it is walked with the
 //! guide's own clock, by arc length. Notches are entered only by those who stand in them: straight out or in, by the shortest way.
 
 use eigenform_apart::{Kernel, Outline, Paths};
@@ -24,23 +24,33 @@ const RUN_UP: f64 = 1.5;
 /// Whoever stands just as far away as asked for may leave, meters.
 const ROUND_OFF: f64 = 1e-6;
 
-/// Kernel time of the smoothing, knots.
+/// Sideways offsets that differ by less are one, meters.
+const SAME_LANE: f64 = 1e-9;
+
+/// Kernel time of the smoothing: at least so many knots, and as long as it takes to cover so many radii of the obstacle.
 const SMOOTHING: f64 = 2.5;
+const SMOOTHING_RADII: f64 = 0.4;
+
+/// The longest one, of the whole segment.
+const LONGEST_SMOOTHING: f64 = 0.1;
+
+/// Who passes within so many minimum distances of an obstacle, or within its width, passes near by.
+const NEAR_BY: f64 = 4.0;
 
 /// Leads paths around outlines; velocities at clamped ends stay.
-pub(super) fn reroute(paths: &mut Paths, outlines: &[Outline], distance: f64, is_clamped: [bool; 2]) {
+pub(super) fn reroute(paths: &mut Paths, outlines: &[Outline], distance: f64, is_clamped: [bool; 2], may_split: bool) {
     let guide = paths.clone();
     let mut is_moved = vec![false; paths.agent_count()];
     for _ in 0..ROUNDS {
         let mut has_blocked = false;
         for outline in outlines {
-            has_blocked |= around(paths, outline, distance, &mut is_moved);
+            has_blocked |= around(paths, outline, distance, may_split, &mut is_moved);
         }
         if !has_blocked {
             break;
         }
     }
-    let kernel = Kernel::new(paths.knot_count(), SMOOTHING, is_clamped);
+    let kernel = Kernel::new(paths.knot_count(), smoothing_time(&guide, outlines, distance), is_clamped);
     for agent in (0..paths.agent_count()).filter(|agent| is_moved[*agent]) {
         for axis in 0..2 {
             let old = guide.path(axis, agent);
@@ -52,8 +62,19 @@ pub(super) fn reroute(paths: &mut Paths, outlines: &[Outline], distance: f64, is
     }
 }
 
+/// Knots: longer about large obstacles, short enough for the smallest.
+fn smoothing_time(guide: &Paths, outlines: &[Outline], distance: f64) -> f64 {
+    let knot_count = guide.knot_count();
+    let step = |agent: usize, knot: usize| at(guide, agent, knot).distance(at(guide, agent, knot - 1));
+    let way = |agent: usize| (1..knot_count).map(|knot| step(agent, knot)).sum::<f64>();
+    let longest = (0..guide.agent_count()).map(way).fold(0.0, f64::max);
+    let radius = outlines.iter().map(|outline| extent(&grown(outline, distance))).fold(f64::INFINITY, f64::min);
+    let wanted = SMOOTHING_RADII * radius / longest * (knot_count - 1) as f64;
+    wanted.clamp(SMOOTHING, (LONGEST_SMOOTHING * knot_count as f64).max(SMOOTHING))
+}
+
 /// One obstacle; whether anybody was blocked.
-fn around(paths: &mut Paths, outline: &Outline, distance: f64, is_moved: &mut [bool]) -> bool {
+fn around(paths: &mut Paths, outline: &Outline, distance: f64, may_split: bool, is_moved: &mut [bool]) -> bool {
     let blocked: Vec<usize> = (0..paths.agent_count()).filter(|agent| span(paths, *agent, outline, distance).is_some()).collect();
     let mut left = blocked.clone();
     while let Some(&leader) = left.first() {
@@ -61,14 +82,16 @@ fn around(paths: &mut Paths, outline: &Outline, distance: f64, is_moved: &mut [b
         let is_alike = |agent: usize| heading_of(paths, agent).dot(heading) > SAME_HEADING;
         let (group, others): (Vec<usize>, Vec<usize>) = left.iter().partition(|agent| **agent == leader || is_alike(**agent));
         left = others;
-        let side = better_side(paths, outline, &group, heading);
-        let innermost = group.iter().map(|agent| offset(paths, *agent, outline, side)).fold(f64::INFINITY, f64::min);
-        let near = distance * (1.0 + MARGIN);
         // Also those who would pass free, where the others are pushed out to.
         let everybody: Vec<usize> = (0..paths.agent_count()).filter(|agent| group.contains(agent) || is_alike(*agent)).collect();
-        for agent in everybody {
-            let lane = offset(paths, agent, outline, side) - innermost;
-            if lane >= 0.0 {
+        let right = -heading.perp();
+        let parts = if may_split { split(paths, (outline, distance), &group, &everybody, right) } else { None };
+        let parts = parts.unwrap_or_else(|| vec![(better_side(paths, outline, &group, right), group)]);
+        let near = distance * (1.0 + MARGIN);
+        for (side, group) in parts {
+            let innermost = group.iter().map(|agent| offset(paths, *agent, outline, side)).fold(f64::INFINITY, f64::min);
+            let lanes: Vec<f64> = everybody.iter().map(|agent| offset(paths, *agent, outline, side) - innermost).collect();
+            for (&agent, lane) in everybody.iter().zip(lanes).filter(|(_, lane)| *lane >= 0.0) {
                 is_moved[agent] |= lead(paths, agent, outline, [distance, near + lane], heading.perp().dot(side) > 0.0);
             }
         }
@@ -86,14 +109,40 @@ fn heading(paths: &Paths, agent: usize) -> DVec2 {
     if heading == DVec2::ZERO { DVec2::X } else { heading }
 }
 
+/// Who of a group passes on which side, where others who head the same way pass free and near by on both: whoever is beyond its middle.
+fn split(
+    paths: &Paths,
+    (outline, distance): (&Outline, f64),
+    group: &[usize],
+    everybody: &[usize],
+    right: DVec2,
+) -> Option<Vec<(DVec2, Vec<usize>)>> {
+    let across = || outline.points.iter().map(|p| DVec2::from_array(*p).dot(right));
+    let [low, high] = [across().fold(f64::INFINITY, f64::min), across().fold(f64::NEG_INFINITY, f64::max)];
+    let middle = 0.5 * (low + high);
+    let near_by = high - low + 2.0 * outline.radius + NEAR_BY * distance;
+    let is_free = |side: f64| {
+        let is_there = |agent: &usize| {
+            let out = side * (offset(paths, *agent, outline, right) - middle);
+            !group.contains(agent) && (0.0..near_by).contains(&out)
+        };
+        everybody.iter().any(is_there)
+    };
+    if !is_free(1.0) || !is_free(-1.0) {
+        return None;
+    }
+    let (on_right, on_left): (Vec<usize>, Vec<usize>) =
+        group.iter().partition(|agent| offset(paths, **agent, outline, right) >= middle - SAME_LANE);
+    Some([(right, on_right), (-right, on_left)].into_iter().filter(|(_, group)| !group.is_empty()).collect())
+}
+
 /// A unit vector to the side on which the innermost has the shorter detour; of equals the right.
-fn better_side(paths: &Paths, outline: &Outline, group: &[usize], heading: DVec2) -> DVec2 {
+fn better_side(paths: &Paths, outline: &Outline, group: &[usize], right: DVec2) -> DVec2 {
     let detour = |side: DVec2| {
         let edge = outline.points.iter().map(|p| DVec2::from_array(*p).dot(side)).fold(f64::NEG_INFINITY, f64::max);
         edge - group.iter().map(|agent| offset(paths, *agent, outline, side)).fold(f64::INFINITY, f64::min)
     };
-    let right = -heading.perp();
-    if detour(right) <= detour(-right) + 1e-9 { right } else { -right }
+    if detour(right) <= detour(-right) + SAME_LANE { right } else { -right }
 }
 
 /// How far to a side an agent is where it is nearest to the obstacle.

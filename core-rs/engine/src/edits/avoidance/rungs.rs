@@ -14,8 +14,10 @@ pub(super) struct Rung {
     step: f64,
     /// A push closes at most this much of a gap, of the minimum distance.
     cap: f64,
-    /// How far those who are stuck keep to their right from the first, in minimum distances; 0: the guide as it is.
-    pub(super) swirl: f64,
+    /// Whether a group may pass an obstacle on both sides.
+    pub(super) may_split: bool,
+    /// How the guide is bent before anybody is pushed.
+    pub(super) bend: Bend,
     /// Slower than this across a knot, in minimum distances, two are pushed straight apart.
     stillness: f64,
     seed: u64,
@@ -23,29 +25,42 @@ pub(super) struct Rung {
     margins: [f64; 2],
 }
 
+/// What leads agents past one another before they are pushed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Bend {
+    /// The guide as it is.
+    No,
+    /// Those who are stuck keep so many minimum distances to their right.
+    Swirl(f64),
+    /// Streams open by so much of what their files need, and lie between one another's.
+    Open(f64),
+}
+
 /// Two who hardly move against one another have no way to pass each other across.
 const STILL: f64 = 1e-4;
 
 /// Measured on drill shows: the first solves most, each of the others some that are left. Where guides turn and wave, as spectral ones
 /// do, two go side by side for long, and it is those that the stiller rungs push straight apart.
-pub(super) const RUNGS: [Rung; 13] = [
+pub(super) const RUNGS: [Rung; 15] = [
     rung(3.0, 0.4),
-    rung(1.5, 0.4),
+    Rung { may_split: false, ..rung(1.5, 0.4) },
     rung(0.8, 0.3),
+    Rung { bend: Bend::Open(0.5), ..rung(0.8, 0.3) },
+    Rung { bend: Bend::Open(1.0), ..rung(0.8, 0.3) },
     Rung { stillness: 0.05, ..rung(1.5, 0.3) },
     Rung { stillness: 0.06, ..rung(0.8, 0.3) },
     Rung { stillness: 0.05, ..rung(0.5, 0.3) },
     Rung { cap: 0.15, seed: 1, ..rung(1.5, 0.3) },
     Rung { cap: 0.15, seed: 2, ..rung(3.0, 0.3) },
     Rung { cap: 0.15, seed: 3, ..rung(1.0, 0.4) },
-    Rung { swirl: 0.8, ..rung(2.0, 0.4) },
-    Rung { swirl: 1.6, ..rung(2.0, 0.4) },
-    Rung { swirl: 2.8, ..rung(2.0, 0.4) },
-    Rung { swirl: 4.0, ..rung(2.0, 0.4) },
+    Rung { bend: Bend::Swirl(0.8), ..rung(2.0, 0.4) },
+    Rung { bend: Bend::Swirl(1.6), ..rung(2.0, 0.4) },
+    Rung { bend: Bend::Swirl(2.8), ..rung(2.0, 0.4) },
+    Rung { bend: Bend::Swirl(4.0), ..rung(2.0, 0.4) },
 ];
 
 const fn rung(duration: f64, step: f64) -> Rung {
-    Rung { duration, step, cap: 0.3, swirl: 0.0, stillness: STILL, seed: 0, margins: KNOT_MARGINS }
+    Rung { duration, step, cap: 0.3, may_split: true, bend: Bend::No, stillness: STILL, seed: 0, margins: KNOT_MARGINS }
 }
 
 /// For guides that are bent on request. The margin is what keyframes on a grid of a centimeter may take away again.

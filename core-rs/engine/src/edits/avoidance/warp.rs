@@ -13,6 +13,9 @@ use crate::motion::Approach;
 const WIDEST: f64 = 3.0;
 const WIDEST_METERS: f64 = 2.0;
 
+/// Who has far to go may go around others by so much of it.
+const SHARE_OF_WAY: f64 = 0.25;
+
 /// Nobody may have to run: of the guide's top speed.
 const FASTEST: f64 = 1.5;
 
@@ -71,7 +74,8 @@ pub fn is_modest(widest: f64, speed_ratio: f64, minimum_distance: f64) -> bool {
 pub(super) fn is_sane(attempt: &Attempt, problem: &Problem) -> bool {
     let [_, widest] = attempt.deviation_lengths();
     let speed_ratio = attempt.motion.top_speed() / problem.guide.top_speed();
-    is_modest(widest, speed_ratio, problem.avoidance.minimum_distance)
+    let of_way = SHARE_OF_WAY * problem.ways.longest;
+    is_modest(if widest <= of_way { 0.0 } else { widest }, speed_ratio, problem.avoidance.minimum_distance)
 }
 
 /// The stuck ones, in sets that clashes on the guide connect.
