@@ -2,7 +2,7 @@
 export interface Aside {
   /**
    * `original`: the recording beside the motion made from it, without its panel; `assignment`: who would go where, told
-   * in the inspector.
+   * in the inspector; `path`: what a formation travels along, told there, too.
    */
-  readonly kind: "modes" | "recording" | "original" | "assignment";
+  readonly kind: "modes" | "recording" | "original" | "assignment" | "path";
 }

@@ -9,6 +9,8 @@ const AssignmentOverlay = lazily(() =>
   import("./assignment/assignment-overlay").then((part) => part.AssignmentOverlay),
 );
 
+const PathOverlay = lazily(() => import("./travel/path-overlay").then((part) => part.PathOverlay));
+
 /** What is open beside the show: over the drawing and below the pills that float there, or in the inspector's place. */
 export function Asides({ place }: { place: "stage" | "side" }) {
   switch (useStudio().aside.value?.kind) {
@@ -20,6 +22,8 @@ export function Asides({ place }: { place: "stage" | "side" }) {
       return place === "stage" ? <RecordingOverlay /> : null;
     case "assignment":
       return place === "stage" ? <AssignmentOverlay /> : null;
+    case "path":
+      return place === "stage" ? <PathOverlay /> : null;
     default:
       return null;
   }

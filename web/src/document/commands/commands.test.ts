@@ -14,6 +14,7 @@ import * as scenes from "./scene";
 import * as ties from "./ties";
 import * as transform from "./transform";
 import * as transitions from "./transitions";
+import * as travel from "./travel";
 
 /** What is wrong with a scene, by the rules of the format; empty for a valid one. */
 function problems(scene: Scene): string[] {
@@ -35,6 +36,10 @@ function problems(scene: Scene): string[] {
     claim(keyframe.time >= 0 && keyframe.hold >= 0, `keyframe ${i} is at ${keyframe.time} for ${keyframe.hold}`);
     claim(!next || keyframe.time + keyframe.hold < next.time, `keyframe ${i} runs into the next`);
     if (keyframe.adjacency) found.push(...adjacencyProblems(keyframe.adjacency, count));
+  }
+  for (const [i, { path }] of track.segments.entries()) {
+    claim(path === null || new Set(path.map(String)).size > 1, `the path of segment ${i} has no length`);
+    claim(path?.every((point) => point.every((value) => Math.abs(value) <= 1e5)) ?? true, `path ${i} reaches too far`);
   }
   claim((track.keyframes.at(-1)?.time ?? 0) <= 3600, "longer than an hour");
   claim(groupDepth(scene.groups) <= 8 && groupPaths(scene.groups).length <= 1000, "too many groups");
@@ -133,6 +138,10 @@ const command: fc.Arbitrary<Command> = fc.oneof(
   fc.tuple(at, seconds).map((a) => retime.setHold(...a)),
   at.map((segment) => transitions.setTransition(segment, { method: "polar" })),
   fc.constant(transitions.setAllTransitions({ sharing: 0.25 })),
+  fc
+    .tuple(at, fc.option(fc.array(place, { maxLength: 5 })))
+    .map(([segment, points]) => travel.setPath(segment, points, "Draw path")),
+  fc.tuple(at, fc.double({ min: -7, max: 7, noNaN: true })).map((a) => travel.turnFormation(...a)),
   fc.string({ maxLength: 300 }).map(scenes.setTitle),
   fc.constantFrom(0, 1, 60, 120, 500).map(scenes.setFrameRate),
   fc.constantFrom(-1, 0, 0.6, Number.NaN).map(scenes.setMinimumDistance),

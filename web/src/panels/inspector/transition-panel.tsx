@@ -17,6 +17,7 @@ import { SpanRow } from "./span-row";
 import { TransitionOptions } from "./transition-options";
 
 const AssignmentPart = lazily(() => import("../assignment/assignment-part").then((part) => part.AssignmentPart));
+const PathPart = lazily(() => import("../travel/path-part").then((part) => part.PathPart));
 const SpreadOut = lazily(() => import("./spread-out").then((part) => part.SpreadOut));
 
 /** How one formation becomes the next, how well, and why so. */
@@ -49,6 +50,7 @@ export function TransitionPanel({ index }: { index: number }) {
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
         {segment.avoidance && <SpreadOut key={index} index={index} report={view.plan?.report ?? null} />}
       </Section>
+      <PathPart key={`path ${index}`} index={index} segment={segment} />
       <AssignmentPart key={index} index={index} segment={segment} />
       {view.plan && <Measures plan={view.plan} index={index} />}
       <Section>
