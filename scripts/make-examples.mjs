@@ -2,7 +2,7 @@
 // committed.
 import { mkdirSync, writeFileSync } from "node:fs";
 import { band } from "./examples/band.mjs";
-import { motionOf } from "./examples/engine.mjs";
+import { motionOf, numbersOf } from "./examples/engine.mjs";
 import { marchText, marchTimes } from "./examples/march.mjs";
 import { previewOf, sampleTimes } from "./examples/preview.mjs";
 import { CROWDS } from "./examples/room-crowds.mjs";
@@ -26,7 +26,7 @@ main(async () => {
       const scene = make();
       const file = `${folder}/${id}.eigenform.json`;
       writeFileSync(file, sceneText(scene));
-      const preview = previewOf(scene, motionOf(file, sampleTimes(scene, cover)));
+      const preview = { ...previewOf(scene, motionOf(file, sampleTimes(scene, cover))), ...numbersOf(file) };
       writePreview(id, preview);
       if (id === MARCHES) writeMarch(file, preview);
     });
@@ -35,7 +35,7 @@ main(async () => {
 
 function writeMarch(file, preview) {
   writeFileSync(`${folder}/march.txt`, marchText(motionOf(file, marchTimes(band()))));
-  writePreview("march", preview);
+  writePreview("march", { ...preview, leastDistances: [], distortions: [] });
 }
 
 function writePreview(id, preview) {

@@ -76,7 +76,7 @@ function movedGroup(count: number, perform = moveAll): number[] {
   const ledger = new Ledger();
   const example = opened(thousand);
   const track = mainTrack(example);
-  const way = { method: "spectral", hierarchy: true, timing: "smooth" } as const;
+  const way = { method: "spectral", hierarchy: true, timing: "smooth", avoidance: false, nodes: [] } as const;
   const segments = track.segments.map((segment) => ({ ...segment, ...way }));
   const scene = { ...example, tracks: [{ ...track, segments }] };
   take(engine, ledger, scene);

@@ -4,6 +4,8 @@ import { Show } from "./show.mjs";
 const PETALS = ["Petal 1", "Petal 2", "Petal 3", "Petal 4", "Petal 5", "Petal 6"];
 /** The middle of the flower above the middle of the stage, meters. */
 const UP = 5.5;
+/** Squads turn about the middle of all, and each about its own. */
+const WHEELING = { kind: "transition", method: "polar", alignment: "procrustes", hierarchy: true, avoidance: true };
 /** How far the squads wheel into the bud, and the bud into the flower; degrees. */
 const INTO_BUD = 75;
 const INTO_FLOWER = 30;
@@ -40,7 +42,7 @@ export function flower() {
       { name: "Flower", time: 16, hold: 1, turn: INTO_FLOWER },
       { ...around(petal, INTO_FLOWER), Heart: turnedAbout(heart, INTO_FLOWER), Stem: stem, Leaf: leafAt(-50, 10.2) },
     )
-    .toScene();
+    .toScene([WHEELING, WHEELING]);
 }
 
 function around(places, start) {

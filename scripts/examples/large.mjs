@@ -5,7 +5,7 @@ const ARMS = ["North", "West", "Southwest", "Southeast", "East"];
 const COLORS = ["#2d48cc", "#b98800", "#024b3b", "#c64f36", "#1399e4"];
 const FIFTH = degrees(36);
 /** How far everybody wheels on the way to the star, and again on the way to the rings; degrees. */
-const WHEEL = 54;
+const WHEEL = 72;
 
 /** 1,260 in five groups that leave together. */
 export function starToRings() {
@@ -18,8 +18,8 @@ export function starToRings() {
   const polar = { kind: "transition", method: "polar", alignment: "procrustes" };
   return new Show({ title: "Star to five rings", stage: { width: 90, depth: 64 }, minimumDistance: 0.5, sections })
     .keyframe({ name: "Disc", time: 0, hold: 1 }, formation(discFifth(), -WHEEL))
-    .keyframe({ name: "Star", time: 9, hold: 1, turn: WHEEL }, formation(arm, 0))
-    .keyframe({ name: "Five rings", time: 20, hold: 1, turn: WHEEL }, formation(circle, WHEEL))
+    .keyframe({ name: "Star", time: 14, hold: 1, turn: WHEEL }, formation(arm, 0))
+    .keyframe({ name: "Five rings", time: 28, hold: 1, turn: WHEEL }, formation(circle, WHEEL))
     .toScene([polar, polar]);
 }
 

@@ -1,7 +1,7 @@
 import { block, moved, ring, turned } from "./places.mjs";
 import { Show } from "./show.mjs";
 
-// After figures of "Spectral-Based Group Formation Control" (2008): one change of formation, made twice in two ways.
+// After figures of "Spectral-Based Group Formation Control" (2009): one change of formation, made twice in two ways.
 
 const COLORS = ["#c64f36", "#2d48cc", "#b98800", "#024b3b", "#e85fa8", "#1399e4", "#620687", "#07875b", "#4c5600"];
 const STAGE = { width: 30, depth: 20 };
@@ -228,9 +228,9 @@ export function sixModes() {
     [2, 4, 1],
   ];
   const adjacency = { base: "none", weights: "unit", ties };
-  const swapped = places.map(([x, y]) => [-x * 0.9, y * 1.2]);
+  const after = turned(places, 70).map(([x, y]) => [x * 0.9, y * 1.1]);
   return new Show({ title: "Six and their modes", stage: STAGE, minimumDistance: 0.5, adjacency, sections: [everyone] })
     .keyframe({ name: "Six", time: 0, hold: 1 }, { everyone: places })
-    .keyframe({ name: "Mirrored", time: 6, hold: 1, isInOrder: true }, { everyone: swapped })
+    .keyframe({ name: "Turned", time: 6, hold: 1, isInOrder: true }, { everyone: after })
     .toScene([SPECTRAL]);
 }

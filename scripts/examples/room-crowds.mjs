@@ -1,8 +1,12 @@
-import { bird, fighters, runningMan } from "./crowds.mjs";
+import { bird } from "./bird.mjs";
+import { fighters } from "./fighters.mjs";
+import { martialArts } from "./martial-arts.mjs";
+import { runningMan } from "./running-man.mjs";
 
-/** After "Collective Crowd Formation Transform" (2016): by file name; `cover` is the transition that the gallery shows. */
+/** After "Collective Crowd Formation Transform" (2015): by file name; `cover` is the transition that the gallery shows. */
 export const CROWDS = {
   bird: { make: bird, cover: 2 },
   "running-man": { make: runningMan, cover: 0 },
+  "martial-arts": { make: martialArts, cover: 2 },
   fighters: { make: fighters, cover: 1 },
 };

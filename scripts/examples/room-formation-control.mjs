@@ -13,7 +13,7 @@ import {
 import { offsideTrap } from "./soccer.mjs";
 import { thousand } from "./thousand.mjs";
 
-/** After "Spectral-Based Group Formation Control" (2008): by file name; `cover` is the transition that the gallery shows. */
+/** After "Spectral-Based Group Formation Control" (2009): by file name; `cover` is the transition that the gallery shows. */
 export const FORMATION_CONTROL = {
   "six-modes": { make: sixModes, cover: 0 },
   "rotated-copy": { make: rotatedCopy, cover: 2 },

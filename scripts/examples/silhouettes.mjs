@@ -1,49 +1,16 @@
-// Areas as closed outlines in meters, and places spread evenly in them.
+// Bodies as closed outlines that may overlap: x to the right, y up.
 
-/** Whether a place lies in a closed outline (even-odd). */
-function isWithin([x, y], outline) {
-  let isIn = false;
-  for (let k = 0, before = outline.length - 1; k < outline.length; before = k, k += 1) {
-    const [[ax, ay], [bx, by]] = [outline[k], outline[before]];
-    if (ay > y !== by > y && x < ((bx - ax) * (y - ay)) / (by - ay) + ax) isIn = !isIn;
-  }
-  return isIn;
+/** Outlines as a drawing (SVG), filled, as large as a square of 100 holds. */
+export function drawn(outlines) {
+  const [left, right] = ends(outlines.flat().map(([x]) => x));
+  const [bottom, top] = ends(outlines.flat().map(([, y]) => y));
+  const scale = 100 / Math.max(right - left, top - bottom);
+  const point = ([x, y]) => [(x - left) * scale, (top - y) * scale].map((value) => value.toFixed(2)).join(" ");
+  return `<path d="${outlines.map((outline) => `M ${outline.map(point).join(" L ")} Z`).join(" ")}"/>`;
 }
 
-/** Exactly `count` places on a triangular lattice within outlines that may overlap, as wide apart as they fit. */
-export function fill(outlines, count) {
-  const all = outlines.flat();
-  const [low, high] = [0, 1]
-    .map((axis) => all.map((place) => place[axis]))
-    .reduce(
-      ([least, most], values) => [
-        [...least, Math.min(...values)],
-        [...most, Math.max(...values)],
-      ],
-      [[], []],
-    );
-  const lattice = (spacing) => {
-    const places = [];
-    const height = (spacing * Math.sqrt(3)) / 2;
-    for (let row = 0, y = low[1] + height / 2; y < high[1]; row += 1, y += height) {
-      for (let x = low[0] + (row % 2 === 0 ? 0.25 : 0.75) * spacing; x < high[0]; x += spacing) {
-        if (outlines.some((outline) => isWithin([x, y], outline))) places.push([x, y]);
-      }
-    }
-    return places;
-  };
-  let [tight, wide] = [0.1, high[0] - low[0]];
-  for (let step = 0; step < 50; step += 1) {
-    const middle = (tight + wide) / 2;
-    if (lattice(middle).length >= count) tight = middle;
-    else wide = middle;
-  }
-  const places = lattice(tight);
-  // What is over is left out evenly, so that no corner misses all of it.
-  const over = places.length - count;
-  return places.filter(
-    (_, index) => Math.floor(((index + 1) * over) / places.length) === Math.floor((index * over) / places.length),
-  );
+function ends(values) {
+  return [Math.min(...values), Math.max(...values)];
 }
 
 /** A bar with round ends from one joint to the next: a limb. */
@@ -62,10 +29,6 @@ function disc(x, y, radius) {
     const angle = (2 * Math.PI * step) / 48;
     return [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
   });
-}
-
-export function circles(centers, radius) {
-  return centers.map(([x, y]) => disc(x, y, radius));
 }
 
 /** Somebody who runs to the right, about 50 m tall. */
@@ -87,3 +50,29 @@ export function runner() {
     limb([-20, -16.5], [-21.5, -13], 1.8, 1.4),
   ];
 }
+
+/**
+ * A body by its joints; `arms` are elbow and hand, `legs` knee, heel and toes, from the chest and from the hip.
+ *
+ * @param {{ head: [number, number], chest: [number, number], hip: [number, number], arms: [number, number][][], legs: [number, number][][] }} pose
+ */
+export function body({ head, chest, hip, arms, legs, shoulders = [chest, chest], hips = [hip, hip] }) {
+  return [
+    disc(...head, HEAD),
+    limb(chest, hip, CHEST, HIP),
+    ...arms.flatMap(([elbow, hand], side) => [
+      limb(shoulders[side], elbow, SHOULDER, ELBOW),
+      limb(elbow, hand, ELBOW, HAND),
+    ]),
+    ...legs.flatMap(([knee, heel, toes], side) => [
+      limb(hips[side], knee, THIGH, KNEE),
+      limb(knee, heel, KNEE, ANKLE),
+      limb(heel, toes, ANKLE, TOES),
+    ]),
+  ];
+}
+
+// Half widths of somebody 100 tall.
+const [HEAD, CHEST, HIP] = [9, 11, 9];
+const [SHOULDER, ELBOW, HAND] = [5.5, 4.8, 4.4];
+const [THIGH, KNEE, ANKLE, TOES] = [7.5, 6, 4.6, 3.6];

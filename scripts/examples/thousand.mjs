@@ -1,96 +1,115 @@
+import { placesIn } from "./engine.mjs";
 import { match } from "./matching.mjs";
-import { degrees, star } from "./places.mjs";
+import { moved, ring, star, turned } from "./places.mjs";
 import { Show } from "./show.mjs";
-import { circles, fill, runner } from "./silhouettes.mjs";
+import { drawn, runner } from "./silhouettes.mjs";
+import { together } from "./together.mjs";
 
-/** Groups of subgroups of agents: 1,260 in all. */
-const [GROUPS, SUBGROUPS, MEMBERS] = [35, 6, 6];
-const COLORS = ["#c64f36", "#2d48cc", "#b98800", "#024b3b", "#e85fa8", "#1399e4", "#620687"];
-const COUNT = GROUPS * SUBGROUPS * MEMBERS;
+/** Meters from one to the next in every picture, about. */
+const SPACING = 1.1;
+/** A body in five parts, each of seven groups of six subgroups of six: 35 groups, 1,260 agents. */
+const [PARTS, GROUPS, SUBGROUPS, MEMBERS] = [5, 7, 6, 6];
+const SIZE = GROUPS * SUBGROUPS * MEMBERS;
+const COUNT = PARTS * SIZE;
+/** Two of a family for each part, in turn, so that groups stand out from their neighbors. */
+const COLORS = [
+  ["#c64f36", "#e85fa8"],
+  ["#2d48cc", "#1399e4"],
+  ["#b98800", "#4c5600"],
+  ["#024b3b", "#07875b"],
+  ["#620687", "#a45be0"],
+];
+/** How far all wheel on the way to the star, by one of its points; degrees. */
+const WHEEL = 72;
 
 /** After figure 11: a circle, a star, somebody who runs, five circles; in three levels of groups. */
 export function thousand() {
-  const fifths = Array.from({ length: 5 }, (_, index) => [
-    19 * Math.cos(degrees(90 + 72 * index)),
-    19 * Math.sin(degrees(90 + 72 * index)),
-  ]);
-  const pictures = [
-    ["Circle", circles([[0, 0]], 22)],
-    ["Star", [star(5, 31, 13)]],
-    ["Runner", runner()],
-    ["Five circles", circles(fifths, 9)],
+  const runs = [
+    [5, 26],
+    [-14, 6],
+    [-10, -20],
+    [18, -22],
+    [15, 0],
   ];
-  let before = null;
+  const formations = chained([
+    [0, divided(rings(1, 20), around(12, -WHEEL))],
+    [WHEEL, divided(spread(drawn([star(5, 50, 21)]), 62), around(20))],
+    [0, divided(spread(drawn(runner()), 60), runs)],
+    [0, around(21).map((middle) => moved(rings(3, 9), ...middle))],
+  ]);
+  const tree = Array.from({ length: PARTS }, (_, part) => {
+    const own = formations.map((parts) => parts[part]);
+    return together(own, [...own[0].keys()], [GROUPS, SUBGROUPS]).map((group) =>
+      group.map((members) => members.map((agent) => part * SIZE + agent)),
+    );
+  });
+  const order = tree.flat(3);
   const show = new Show({
     title: "Twelve hundred and sixty",
-    stage: { width: 90, depth: 64 },
-    minimumDistance: 0.4,
+    stage: { width: 100, depth: 76 },
+    minimumDistance: 0.5,
     sections: [{ name: "everyone", count: COUNT, isLoose: true }],
   });
-  for (const [index, [name, outlines]] of pictures.entries()) {
-    const tree = inOrderOf(before, divided(fill(outlines, COUNT)));
-    before = tree;
-    show.keyframe({ name, time: 11 * index, hold: 2, isInOrder: true }, { everyone: tree.flat(2) });
+  for (const [index, [name, time]] of Object.entries(TIMES).entries()) {
+    const all = formations[index].flat();
+    const places = order.map((agent) => all[agent]);
+    show.keyframe({ name, time, hold: 2, isInOrder: true }, { everyone: places });
   }
-  const way = { kind: "transition", method: "polar", alignment: "procrustes", hierarchy: true };
-  return { ...show.toScene([way, way, way]), groups: groups() };
+  return { ...show.toScene([WHEELING, PARTING, PARTING]), groups: groups() };
 }
 
-/** Places in 35 parts of 6 parts of 6, each part together. */
-function divided(places) {
-  return parts(places, GROUPS).map((group) => parts(group, SUBGROUPS));
+/** Seconds; the points of the star have a long way. */
+const TIMES = { Circle: 0, Star: 15, Runner: 27, "Five circles": 39 };
+/** Everything turns about its middle: all, the groups, their subgroups. */
+const WHEELING = { kind: "transition", method: "polar", alignment: "procrustes", hierarchy: true, avoidance: true };
+/** Groups go straight and turn about their own middles on the way. */
+const PARTING = { ...WHEELING, nodes: [{ group: [], method: "linear" }] };
+
+/** Five middles about the origin, the first straight up or turned from there by so many degrees. */
+function around(radius, turn = 0) {
+  return ring(radius, PARTS, 90 + turn);
 }
 
-/** Cut again and again across the longer side, so that parts are equal in number and compact. */
-function parts(places, count) {
-  if (count === 1) return [places];
-  const [dx, dy] = [0, 1].map((axis) => {
-    const values = places.map((place) => place[axis]);
-    return Math.max(...values) - Math.min(...values);
-  });
-  const axis = dx >= dy ? 0 : 1;
-  const sorted = [...places].sort((a, b) => a[axis] - b[axis] || a[1 - axis] - b[1 - axis]);
-  const first = Math.floor(count / 2);
-  const cut = (places.length / count) * first;
-  return [...parts(sorted.slice(0, cut), first), ...parts(sorted.slice(cut), count - first)];
-}
-
-/** The tree of places with its parts, and the places in them, in the order of those they are nearest to before. */
-function inOrderOf(before, tree) {
-  if (!before) return tree;
-  return reordered(before, tree).map((group, index) =>
-    reordered(before[index], group).map((members, part) => match(before[index][part], members)),
-  );
-}
-
-/** Parts in the order that matches their middles with least squares. */
-function reordered(before, now) {
-  const middles = now.map((part) => middleOf(part));
+/** Places in parts of equal number about middles: the sum of squared ways from everybody to the middle of the own part is least. */
+function divided(places, middles) {
   const taken = match(
-    before.map((part) => middleOf(part)),
-    middles,
+    middles.flatMap((middle) => new Array(SIZE).fill(middle)),
+    places,
   );
-  return taken.map((middle) => now[middles.indexOf(middle)]);
+  return middles.map((_, part) => taken.slice(part * SIZE, (part + 1) * SIZE));
 }
 
-function middleOf(part) {
-  const places = part.flat(Infinity);
-  let [x, y] = [0, 0];
-  for (let k = 0; k < places.length; k += 2) {
-    x += places[k];
-    y += places[k + 1];
-  }
-  return [(2 * x) / places.length, (2 * y) / places.length];
+/** Within its part everybody goes where the sum of squared ways is least; all wheel by so many degrees on the way there. */
+function chained(formations) {
+  let before = null;
+  return formations.map(([wheel, parts]) => {
+    before = parts.map((places, part) => (before ? match(turned(before[part], wheel), places) : places));
+    return before;
+  });
+}
+
+/** Circles about one middle, the k-th of 6 k agents: as far from each other as from their neighbors. */
+function rings(first, last) {
+  return Array.from({ length: last - first + 1 }, (_, index) =>
+    ring((first + index) * SPACING, 6 * (first + index), 90 + 7 * index),
+  ).flat();
+}
+
+function spread(drawing, width) {
+  return placesIn(drawing, COUNT, width, 0.8);
 }
 
 function groups() {
-  return Array.from({ length: GROUPS }, (_, group) => ({
-    name: `Group ${group + 1}`,
-    color: COLORS[group % COLORS.length],
-    children: Array.from({ length: SUBGROUPS }, (_, part) => ({
-      name: `Group ${group + 1}.${part + 1}`,
-      color: COLORS[group % COLORS.length],
-      members: Array.from({ length: MEMBERS }, (_, member) => (group * SUBGROUPS + part) * MEMBERS + member),
-    })),
-  }));
+  return Array.from({ length: PARTS * GROUPS }, (_, group) => {
+    const color = COLORS[Math.floor(group / GROUPS)][(group % GROUPS) % 2];
+    return {
+      name: `Group ${group + 1}`,
+      color,
+      children: Array.from({ length: SUBGROUPS }, (_, part) => ({
+        name: `Group ${group + 1}.${part + 1}`,
+        color,
+        members: Array.from({ length: MEMBERS }, (_, member) => (group * SUBGROUPS + part) * MEMBERS + member),
+      })),
+    };
+  });
 }

@@ -66,14 +66,15 @@ pub fn crowd(agent_count: usize, method: MethodName) -> Scene {
     scene
 }
 
-/// The example after figure 11: 1,260 agents in groups of 36 and of 6, with four keyframes, moved by groups.
+/// The example after figure 11: 1,260 agents in groups of 36 and of 6, with four keyframes, moved by groups and not yet kept apart.
 ///
 /// # Panics
 /// When the example is no scene: a bug.
 pub fn thousand() -> Scene {
     let mut scene = read_json(include_str!("../../../public/examples/thousand.eigenform.json")).expect("the example is a scene");
     for Segment::Transition(transition) in &mut scene.tracks[0].segments {
-        *transition = TransitionSpec { method: MethodName::Spectral, hierarchy: true, ..transition.clone() };
+        let by_groups = TransitionSpec { method: MethodName::Spectral, hierarchy: true, ..TransitionSpec::default() };
+        *transition = TransitionSpec { alignment: transition.alignment, ..by_groups };
     }
     scene
 }

@@ -49,6 +49,38 @@ const ADDED: &str = r#"{
   ]
 }"#;
 
+/// What was added behind that: a crowd's forces, top speeds.
+const CROWD: &str = r#"{
+  "format": "eigenform", "version": 1, "minimumDistance": 0.5, "seed": 3,
+  "agents": [{ "maxSpeed": 1.5 }, { "maxSpeed": 1.5, "radius": 0.4 }, {}],
+  "groups": [{ "name": "Pair", "members": [0, 1] }],
+  "keyframes": [
+    { "positions": [[0, 0], [1, 0], [2, 0]] },
+    { "time": 4, "positions": [[0, 5], [1.25, 5], [2.5, 5]] },
+    { "time": 9, "positions": [[5, 0], [6, 0], [7, 0]] }
+  ],
+  "segments": [
+    { "method": "crowd", "crowd": {
+      "guide": "spectral", "directionFeedback": false, "speedFeedback": false, "reactionTime": 0.4, "lookAhead": 0.25, "strength": 3,
+      "reach": 0.35, "groupStrength": 0.75, "groupReach": 1.5, "fluctuation": 0.125, "binSize": 5, "sectors": 12 } },
+    { "method": "crowd", "avoidance": true }
+  ]
+}"#;
+
+/// And behind that: how it was found who goes where.
+const RECIPE: &str = r#"{
+  "format": "eigenform", "version": 1,
+  "keyframes": [
+    { "positions": [[0, 0], [1, 0], [2, 0], [3, 0]] }, { "time": 4, "positions": [[0, 5], [1, 5], [2, 5], [3, 5]] },
+    { "time": 8, "positions": [[0, 0], [0, 1], [0, 2], [0, 3]] }, { "time": 12, "positions": [[4, 0], [4, 1], [4, 2], [4, 3]] }
+  ],
+  "segments": [
+    { "method": "linear", "assignment": { "cost": "least-effort", "lambda": 0.75, "keepGroups": true, "locks": [[0, 3], [2, 1]] } },
+    {},
+    { "method": "linear", "assignment": { "cost": "manhattan" } }
+  ]
+}"#;
+
 /// The scene has this link, and the link is that of the scene it opens.
 fn check(scene: &str, precision: Precision, link: &str) {
     let scene = read_json(scene).expect("a scene");
@@ -85,4 +117,20 @@ fn so_do_those_of_what_was_added() {
     check(ADDED, Precision::Exact, link);
     check(ADDED, Precision::Short, link);
     assert_eq!(decode(link), read_json(ADDED));
+}
+
+#[test]
+fn so_do_those_of_crowds() {
+    let link = "#s=1.RhwyzEQIAjWBLnCEYGaYyddBnuXMJuZ3uVQxbDouuErrVG65JRFzZDb3FJ8kOdaRTUcsgCtyFZssBdat15V5hEsYLArI4EDYFgwY";
+    check(CROWD, Precision::Exact, link);
+    check(CROWD, Precision::Short, link);
+    assert_eq!(decode(link), read_json(CROWD));
+}
+
+#[test]
+fn so_do_those_of_who_goes_where() {
+    let link = "#s=1.Kf4OJGNDx1PsD8O6rEqejIs6nD_rMsSUlPEGXXVTOm8isN1uTJWRiX7lHICoTA";
+    check(RECIPE, Precision::Exact, link);
+    check(RECIPE, Precision::Short, link);
+    assert_eq!(decode(link), read_json(RECIPE));
 }

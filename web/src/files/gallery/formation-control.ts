@@ -1,6 +1,6 @@
 import type { ExampleCard } from "../../panels/dialogs/services";
 
-/** After the figures of "Spectral-Based Group Formation Control" (2008), in their order. */
+/** After the figures of "Spectral-Based Group Formation Control" (2009), in their order. */
 export const FORMATION_CONTROL: readonly ExampleCard[] = [
   {
     id: "march",

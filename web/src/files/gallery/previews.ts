@@ -8,6 +8,8 @@ export interface StoredPreview {
   readonly step: number;
   readonly colors: readonly (readonly [color: string, count: number])[];
   readonly xy: string;
+  readonly leastDistances: readonly number[];
+  readonly distortions: readonly number[];
 }
 
 /** The preview of an example, beside the page. */
@@ -17,13 +19,11 @@ export async function loadPreview(id: string): Promise<Preview> {
   return unpack((await response.json()) as StoredPreview);
 }
 
-export function unpack({ agentCount, sampleCount, duration, step, colors, xy }: StoredPreview): Preview {
+export function unpack({ step, colors, xy, ...preview }: StoredPreview): Preview {
   const bytes = Uint8Array.from(atob(xy), (letter) => letter.charCodeAt(0));
   const numbers = new DataView(bytes.buffer);
   return {
-    agentCount,
-    sampleCount,
-    duration,
+    ...preview,
     xy: Float32Array.from({ length: bytes.length / 2 }, (_, index) => numbers.getInt16(2 * index, true) * step),
     colors: colors.flatMap(([color, count]) => new Array<string>(count).fill(color)),
   };

@@ -6,6 +6,10 @@ import { SHOWS } from "./shows";
 /** What the gallery lists, in its order; a card's `id` names its files. */
 export const SECTIONS: readonly ExampleSection[] = [
   { title: "Shows", cards: SHOWS },
-  { title: "Formation control", cards: FORMATION_CONTROL },
-  { title: "Crowds", cards: CROWDS },
+  {
+    title: "Formation control",
+    source: "Figures of Spectral-Based Group Formation Control, 2009",
+    cards: FORMATION_CONTROL,
+  },
+  { title: "Crowds", source: "Figures of Collective Crowd Formation Transform, 2015", cards: CROWDS },
 ];

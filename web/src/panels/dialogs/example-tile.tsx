@@ -1,6 +1,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { formatCount } from "../../document/units";
 import { usePalette } from "../timeline/use-paint";
+import { numbersOf } from "./example-numbers";
 import { focusLate } from "./frame";
 import { drawPreview } from "./preview-drawing";
 import type { ExampleCard, Preview } from "./services";
@@ -87,6 +88,7 @@ export function ExampleTile({ example, loadPreview, isFirst, onOpen }: ExampleTi
           {formatCount(example.agentCount)} agents{example.keyframeCount > 2 && `, ${example.keyframeCount} keyframes`}
         </small>
         <span>{example.description}</span>
+        <small class="example-numbers number">{preview && numbersOf(preview, example.view)}</small>
       </span>
     </button>
   );

@@ -12,6 +12,8 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
   const { document, aside } = useStudio();
   const examples = useAnswer(services.loadExamples);
 
+  const sections = examples.kind === "here" ? examples.value : [];
+
   async function open(example: ExampleCard, view?: ExampleView): Promise<void> {
     dialogs.close();
     const isOpen = await services.openExample(example);
@@ -35,9 +37,19 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
           The examples could not be loaded: {examples.problem.what}
         </p>
       )}
-      {(examples.kind === "here" ? examples.value : []).map(({ title, cards }, place) => (
+      <nav class="gallery-ways" aria-label="Sections">
+        {sections.map(({ title }) => (
+          <button key={title} type="button" class="button quiet" onClick={(event) => goTo(event.currentTarget, title)}>
+            {title}
+          </button>
+        ))}
+      </nav>
+      {sections.map(({ title, source, cards }, place) => (
         <section key={title} class="gallery-section" aria-label={title}>
-          <h3>{title}</h3>
+          <h3>
+            {title}
+            {source && <small>{source}</small>}
+          </h3>
           <ul class="gallery">
             {cards.map((example, index) => (
               <li key={example.id}>
@@ -64,6 +76,13 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
       ))}
     </Frame>
   );
+}
+
+/** The section comes to the top, and its first card has the focus. */
+function goTo(link: HTMLElement, title: string): void {
+  const section = link.closest("dialog")?.querySelector(`section[aria-label="${title}"]`);
+  section?.scrollIntoView({ block: "start" });
+  section?.querySelector<HTMLElement>(".example")?.focus({ preventScroll: true });
 }
 
 const VIEW_WORDS: Readonly<Record<Exclude<ExampleView["kind"], "recording">, string>> = {

@@ -12,6 +12,8 @@ export type ExampleView =
 /** Examples that belong together, under one heading. */
 export interface ExampleSection {
   readonly title: string;
+  /** The paper whose figures they are. */
+  readonly source?: string;
   readonly cards: readonly ExampleCard[];
 }
 
@@ -25,7 +27,7 @@ export interface ExampleCard {
   readonly view?: ExampleView;
 }
 
-/** One transition of an example, small enough for the gallery to load. */
+/** One transition of an example, small enough for the gallery to load, and the numbers of all of them. */
 export interface Preview {
   readonly agentCount: number;
   readonly sampleCount: number;
@@ -35,6 +37,10 @@ export interface Preview {
   readonly xy: Float32Array;
   /** Stored colors by agent. */
   readonly colors: readonly string[];
+  /** Meters, by transition of the whole example; none where there is no motion yet. */
+  readonly leastDistances: readonly number[];
+  /** Mean over a transition, by transition. */
+  readonly distortions: readonly number[];
 }
 
 /** What the dialogs do beyond the studio: files, addresses, examples. Wired in main.ts. */

@@ -1,7 +1,7 @@
 import { useSignalEffect } from "@preact/signals";
 import { useLayoutEffect, useRef } from "preact/hooks";
 import { useStudio } from "../studio";
-import { countTicks, PILL_ROOM, secondTicks, type Tick } from "./ruler";
+import { countTicks, isWhole, PILL_ROOM, secondTicks, type Tick } from "./ruler";
 import { xOf } from "./scale";
 import type { Viewport } from "./viewport";
 
@@ -22,9 +22,13 @@ export function RulerStrip({ viewport }: { viewport: Viewport }) {
 
   const makeRoom = () => {
     const playhead = xOf(viewport.scale.value, playback.time.value);
+    const left = viewport.scroll.value;
+    const right = left + viewport.width.value;
     for (const label of labels.current?.children ?? []) {
-      const isNear = Math.abs(Number(label.getAttribute("x")) - playhead) < PILL_ROOM;
-      if (label.classList.contains("is-aside") !== isNear) label.classList.toggle("is-aside", isNear);
+      const x = Number(label.getAttribute("x"));
+      const isStrong = label.classList.contains("bar-number");
+      const isAside = Math.abs(x - playhead) < PILL_ROOM || !isWhole(x, isStrong, left, right);
+      if (label.classList.contains("is-aside") !== isAside) label.classList.toggle("is-aside", isAside);
     }
   };
   useSignalEffect(makeRoom);

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { countTicks, secondTicks } from "./ruler";
+import { countTicks, isWhole, secondTicks } from "./ruler";
 import type { Scale } from "./scale";
 
 const ZOOMS = [0.5, 3, 22, 71.6, 87, 400];
@@ -70,4 +70,12 @@ test("no count is drawn before the show begins, and bars before the first count 
   const ticks = countTicks({ origin: 0, pixelsPerSecond: 80 }, { ...TEMPO, start: 3 }, -400, 300);
   expect(ticks.every(({ x }) => x >= 0)).toBe(true);
   expect(ticks.flatMap(({ label }) => label ?? [])).toEqual(["0", "1"]);
+});
+
+test("a label that the window would cut is none", () => {
+  const seconds = (x: number) => isWhole(x, false, 100, 900);
+  expect([100, 110, 120, 880, 890, 900].map(seconds)).toEqual([false, false, true, true, false, false]);
+  // The number of a bar stands to the right of its line.
+  const bars = (x: number) => isWhole(x, true, 100, 900);
+  expect([99, 100, 870, 890].map(bars)).toEqual([false, true, true, false]);
 });

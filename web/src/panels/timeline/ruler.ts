@@ -31,6 +31,15 @@ const LEAST_LABEL_GAP = 64;
 /** Labels nearer than this to the playhead step aside for its pill. */
 export const PILL_ROOM = 40;
 
+/** How far a label of seconds reaches to either side of its tick, and a bar's number to the right of its line: CSS pixels. */
+const LABEL_REACH = 15;
+const NUMBER_REACH = 26;
+
+/** Whether the window's edges `from` and `to` leave a label whole; `x` is where it is anchored, all CSS pixels of the track. */
+export function isWhole(x: number, isStrong: boolean, from: number, to: number): boolean {
+  return x - (isStrong ? 0 : LABEL_REACH) >= from && x + (isStrong ? NUMBER_REACH : LABEL_REACH) <= to;
+}
+
 /** Bars between labels, and between bar lines. */
 const BAR_STEPS: readonly (readonly [labels: number, lines: number])[] = [
   [1, 1],

@@ -1,0 +1,18 @@
+import { crowdShow, spread } from "./crowd.mjs";
+import { drawn, runner } from "./silhouettes.mjs";
+
+/** After figure 3: somebody runs across the field and back. */
+export function runningMan() {
+  const figure = spread(drawn(runner()), 600, 42);
+  return crowdShow({
+    title: "Running man",
+    stage: { width: 70, depth: 60 },
+    groupCount: 8,
+    seconds: 9,
+    pictures: [
+      ["Round", spread('<circle cx="50" cy="50" r="50"/>', 600, 30)],
+      ["There", figure],
+      ["And back", figure.map(([x, y]) => [-x, y])],
+    ],
+  });
+}
