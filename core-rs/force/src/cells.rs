@@ -6,17 +6,13 @@
 
 use std::ops::Range;
 
-/// Cells along the range: smaller ones hold fewer who are not near, and more of them are looked into.
-const CELLS_A_RANGE: usize = 2;
-
 /// Buckets of the smallest ring: below this those that a cell looks into would not differ.
 const LEAST_BUCKETS: usize = 64;
 
 /// Buckets an agent, at least.
 const BUCKETS_PER_AGENT: usize = 2;
 
-/// How far along the ring the next row begins, as a share of it: neither once, twice, three nor four times that share is near a whole
-/// turn.
+/// How far along the ring the next row begins, as a share of it: neither once nor twice that share is near a whole turn.
 const ROW_SHARE: f64 = 0.382;
 
 /// Agents by cell.
@@ -35,8 +31,8 @@ pub struct Around {
     pub own: Range<usize>,
     /// Its row: from its own start on.
     pub row: [Range<usize>; 2],
-    /// The rows behind.
-    pub behind: [[Range<usize>; 2]; CELLS_A_RANGE],
+    /// The row behind.
+    pub behind: [Range<usize>; 2],
 }
 
 impl Cells {
@@ -55,9 +51,8 @@ impl Cells {
         &self.members
     }
 
-    /// Sorts agents anew, for pairs nearer than `range`.
-    pub fn sort(&mut self, x: &[f64], y: &[f64], range: f64) {
-        let size = range / CELLS_A_RANGE as f64;
+    /// Sorts agents anew, for pairs nearer than the cells' `size`.
+    pub fn sort(&mut self, x: &[f64], y: &[f64], size: f64) {
         let (mask, row) = (self.mask(), self.row as u64);
         self.starts.fill(0);
         for (bucket_of, (x, y)) in self.bucket_of.iter_mut().zip(x.iter().zip(y)) {
@@ -88,8 +83,8 @@ impl Cells {
         let buckets = self.starts.windows(2).enumerate().filter(|(_, ends)| ends[0] < ends[1]);
         buckets.map(move |(bucket, ends)| Around {
             own: run(ends[0], ends[1]),
-            row: self.stretch(bucket, CELLS_A_RANGE + 1),
-            behind: std::array::from_fn(|k| self.stretch(bucket + (k + 1) * self.row - CELLS_A_RANGE, 2 * CELLS_A_RANGE + 1)),
+            row: self.stretch(bucket, 2),
+            behind: self.stretch(bucket + self.row - 1, 3),
         })
     }
 
@@ -125,7 +120,7 @@ mod tests {
             let mut met = Vec::new();
             for Around { own, row: [row, rest], behind } in cells.around() {
                 for here in own {
-                    let others = (here + 1..row.end).chain(rest.clone()).chain(behind.iter().flatten().cloned().flatten());
+                    let others = (here + 1..row.end).chain(rest.clone()).chain(behind.iter().cloned().flatten());
                     let pairs = others.map(|there| [here, there].map(|place| cells.members()[place] as usize));
                     met.extend(pairs.filter(|[a, b]| is_near(*a, *b)).map(|[a, b]| (a.min(b), a.max(b))));
                 }

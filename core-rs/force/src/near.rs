@@ -3,10 +3,15 @@
 
 use std::ops::Range;
 
+use wide::f32x4;
+
 use crate::push::Push;
 use crate::ranks::Ranks;
 
-/// So many are pushed at a time.
+/// So many are weighed side by side.
+const LANES: usize = 4;
+
+/// So many are picked out before they are pushed.
 const ROOM: usize = 128;
 
 /// So many are looked at before it is seen whether there is room.
@@ -80,7 +85,7 @@ impl Near {
             self.girth[k] = (own_girth + ranks.girth[who]) as f32;
             self.strange[k] = if ranks.group[who] == own_group { 0.0 } else { 1.0 };
         }
-        self.weigh(count.next_multiple_of(4), pushes);
+        self.weigh(count, pushes);
         let mut own = [0.0; 2];
         for (k, who) in self.who[..count].iter().enumerate() {
             let who = *who as usize;
@@ -94,21 +99,16 @@ impl Near {
     }
 
     fn weigh(&mut self, count: usize, pushes: &Pushes) {
-        let [way_x, way_y] = &self.way;
-        let [push_x, push_y] = &mut self.push;
-        let ways = way_x[..count].iter().zip(&way_y[..count]);
-        let bodies = self.girth[..count].iter().zip(&self.strange[..count]);
-        let all = push_x[..count].iter_mut().zip(&mut push_y[..count]).zip(ways.zip(bodies));
-        match pushes.strangers {
-            None => all.for_each(|((push_x, push_y), ((x, y), (girth, _)))| {
-                let push = pushes.all.per_way((x * x + y * y).sqrt(), *girth);
-                (*push_x, *push_y) = (push * x, push * y);
-            }),
-            Some(strangers) => all.for_each(|((push_x, push_y), ((x, y), (girth, strange)))| {
-                let apart = (x * x + y * y).sqrt();
-                let push = pushes.all.per_way(apart, *girth) + strange * strangers.per_way(apart, *girth);
-                (*push_x, *push_y) = (push * x, push * y);
-            }),
+        let fours = |list: &[f32; ROOM], at: usize| f32x4::from(list.as_chunks().0[at]);
+        for at in 0..count.div_ceil(LANES) {
+            let (x, y) = (fours(&self.way[0], at), fours(&self.way[1], at));
+            let (apart, girth) = ((x * x + y * y).sqrt(), fours(&self.girth, at));
+            let mut push = pushes.all.per_way(apart, girth);
+            if let Some(strangers) = &pushes.strangers {
+                push += fours(&self.strange, at) * strangers.per_way(apart, girth);
+            }
+            self.push[0].as_chunks_mut().0[at] = (push * x).to_array();
+            self.push[1].as_chunks_mut().0[at] = (push * y).to_array();
         }
     }
 }

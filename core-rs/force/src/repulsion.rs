@@ -55,11 +55,10 @@ impl Repulsion {
 
     fn meet(&mut self, pushes: &Pushes) {
         let Self { cells, ranks, near, .. } = self;
-        for Around { own, row: [row, rest], behind } in cells.around() {
+        for Around { own, row: [row, rest], behind: [first, second] } in cells.around() {
             for here in own {
-                near.look(ranks, here, here + 1..row.end, pushes);
-                for run in std::iter::once(&rest).chain(behind.iter().flatten()) {
-                    near.look(ranks, here, run.clone(), pushes);
+                for run in [here + 1..row.end, rest.clone(), first.clone(), second.clone()] {
+                    near.look(ranks, here, run, pushes);
                 }
                 near.push(ranks, here, pushes);
             }
