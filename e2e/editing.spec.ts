@@ -45,6 +45,32 @@ test("a group is made of a marquee, named, tied and dissolved", async ({ studio,
   expect((await studio.sceneFile()).groups).toHaveLength(1);
 });
 
+test("bodies have a size and a top speed, each in one step", async ({ studio, page }) => {
+  await studio.openEmpty();
+  await studio.draw(FIRST_STROKE);
+  await studio.tool("Select").click();
+  await studio.drag([
+    [0.2, 0.25],
+    [0.4, 0.45],
+  ]);
+  const { inspector } = studio;
+  const radius = inspector.getByRole("spinbutton", { name: "Radius" });
+  await radius.fill("0.4");
+  await radius.press("Enter");
+  await inspector.getByRole("checkbox", { name: /^Limit speed/ }).check();
+  const speed = inspector.getByRole("spinbutton", { name: "Top speed" });
+  await speed.fill("1.5");
+  await speed.press("Enter");
+  const bodies = async () => (await studio.sceneFile()).agents?.map(({ radius, maxSpeed }) => [radius, maxSpeed]) ?? [];
+  expect((await bodies()).slice(0, 5)).toEqual([...Array(4).fill([0.4, 1.5]), [undefined, undefined]]);
+
+  await page.keyboard.press("Control+a");
+  await expect(inspector.getByText("0.25 to 0.40")).toBeVisible();
+  await expect(inspector.getByText("of some of them")).toBeVisible();
+  for (let step = 0; step < 3; step += 1) await studio.button("Undo").click();
+  expect((await bodies()).flat().every((value) => value === undefined)).toBe(true);
+});
+
 test("keyframes are retimed, held, duplicated and deleted", async ({ studio }) => {
   await studio.makeShow();
   const times = async (): Promise<number[]> => (await studio.sceneFile()).keyframes.map(({ time }) => time ?? 0);

@@ -12,6 +12,8 @@ export const LIMITS = {
   name: 64,
   title: 200,
   coordinate: 1e5,
+  length: 1e5,
+  maxSpeed: { min: 0.01, max: 1000 },
   seconds: 3600,
   frameRate: { min: 1, max: 120 },
   factor: { min: 1e-6, max: 1e6 },

@@ -136,7 +136,16 @@ export function colorAgents(agents: Iterable<number>, color: string): Command {
 /** @param radius of the body, meters */
 export function setRadius(agents: Iterable<number>, radius: number): Command {
   const chosen = [...agents];
-  return { label: "Resize agents", apply: (scene) => (radius > 0 ? updateAgents(scene, chosen, { radius }) : scene) };
+  const isSize = radius >= 0 && radius <= LIMITS.length;
+  return { label: "Resize agents", apply: (scene) => (isSize ? updateAgents(scene, chosen, { radius }) : scene) };
+}
+
+/** @param limit m/s; null: as fast as they like */
+export function setTopSpeed(agents: Iterable<number>, limit: number | null): Command {
+  const chosen = [...agents];
+  const { min, max } = LIMITS.maxSpeed;
+  const maxSpeed = limit === null ? null : Math.min(max, Math.max(min, limit));
+  return { label: "Limit speed", apply: (scene) => updateAgents(scene, chosen, { maxSpeed }) };
 }
 
 /** The scene with agents put somewhere at one keyframe; the same scene when they are there already. */

@@ -41,6 +41,10 @@ function problems(scene: Scene): string[] {
     claim(path === null || new Set(path.map(String)).size > 1, `the path of segment ${i} has no length`);
     claim(path?.every((point) => point.every((value) => Math.abs(value) <= 1e5)) ?? true, `path ${i} reaches too far`);
   }
+  for (const [i, { radius, maxSpeed }] of track.agents.entries()) {
+    claim(radius >= 0 && radius <= 1e5, `agent ${i} has a radius of ${radius}`);
+    claim(maxSpeed === null || (maxSpeed >= 0.01 && maxSpeed <= 1000), `agent ${i} has a top speed of ${maxSpeed}`);
+  }
   claim((track.keyframes.at(-1)?.time ?? 0) <= 3600, "longer than an hour");
   claim(groupDepth(scene.groups) <= 8 && groupPaths(scene.groups).length <= 1000, "too many groups");
   found.push(...adjacencyProblems(scene.adjacency, count), ...groupProblems(scene.groups, count));
@@ -108,6 +112,8 @@ const command: fc.Arbitrary<Command> = fc.oneof(
   some.map(agents.deleteAgents),
   fc.tuple(index, fc.string({ maxLength: 100 })).map((a) => agents.renameAgent(...a)),
   some.map((set) => agents.colorAgents(set, "#123456")),
+  fc.tuple(some, fc.constantFrom(-1, 0, 0.4, 1e9, Number.NaN)).map((a) => agents.setRadius(...a)),
+  fc.tuple(some, fc.constantFrom(null, 0, 2.5, 1e9)).map((a) => agents.setTopSpeed(...a)),
   fc.tuple(at, some, place, fc.double({ min: -7, max: 7, noNaN: true })).map((a) => transform.rotateAgents(...a)),
   fc.tuple(at, some, place, place).map((a) => transform.scaleAgents(...a)),
   fc.tuple(at, some, fc.constantFrom("horizontal", "vertical")).map((a) => transform.flipAgents(...a)),

@@ -5,6 +5,7 @@ import { formatCount } from "../../document/units";
 import { AgentDot } from "../agent-dot";
 import { ColorRow } from "../controls/color-row";
 import { useStudio } from "../studio";
+import { BodyRows } from "./body-rows";
 import { Head } from "./head";
 import { HeightRow } from "./height-row";
 import { MembershipRow } from "./membership-row";
@@ -40,6 +41,7 @@ export function AgentPanel({ agent }: { agent: number }) {
         <MembershipRow agents={agents} />
         <PositionRow agents={agents} label="Position" />
         <HeightRow agents={agents} />
+        <BodyRows agents={agents} />
         <ColorRow
           label="Color"
           color={itself.color}

@@ -5,6 +5,7 @@ import { formatCount } from "../../document/units";
 import { AgentDot } from "../agent-dot";
 import { ColorRow } from "../controls/color-row";
 import { useStudio } from "../studio";
+import { BodyRows } from "./body-rows";
 import { Head } from "./head";
 import { HeightRow } from "./height-row";
 import { MembershipRow } from "./membership-row";
@@ -33,6 +34,7 @@ export function AgentsPanel({ agents }: { agents: ReadonlySet<number> }) {
         <MembershipRow agents={agents} />
         <PositionRow agents={agents} label="Center" />
         <HeightRow agents={agents} />
+        <BodyRows agents={agents} />
         <ColorRow
           label="Color"
           color={own.size === 1 ? firstOwn : ""}
