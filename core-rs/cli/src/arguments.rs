@@ -5,6 +5,9 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+/// Meters a second: the mean of pedestrians that paper D's forces are made for (Helbing and Molnár 1995).
+const WALKING_PACE: &str = "1.34";
+
 const ABOUT: &str = "Moves a group from formation to formation with its subgroups kept together.";
 
 const INTRODUCTION: &str = "\
@@ -163,17 +166,22 @@ pub struct Measure {
 /// `compare`.
 #[derive(Args, Debug)]
 #[command(after_help = "\
-METHODS are auto, linear, polar, shared, spectral and crowd; crowd-no-feedback and crowd-no-groups; and two that no scene
-has: social-force-guide (forces on the method's own way, then smoothed) and social-force (forces toward the target alone,
-arriving wherever they do). The minimum distance and avoidance are the scene's.
+METHODS are auto, linear, polar, shared, spectral and crowd; crowd-no-feedback and crowd-no-groups; and three that no
+scene has: social-force-guide (forces on the method's own way, then smoothed), social-force (forces toward the target alone,
+arriving wherever they do) and orca (optimal reciprocal collision avoidance toward the target, likewise). The minimum
+distance and avoidance are the scene's.
+
+With --costs every way is tried under every cost: from the transition's target on, agents have the places found for them.
+With --free-arrival there is no keyframe's time: everybody goes their way at one pace, or their own top speed, and stops.
 
 The table gives means over time: time (seconds until everybody is there, by forces alone where there are any; - for
 never), I_d and I_v (bits), structure, effort and target deviation, least distance, turning, path, roughness (median
 jerk, m/s³), late (how far forces alone leave somebody from the target, meters).
-JSON: {\"segments\": [{\"from\", \"to\", \"methods\": [{\"method\", \"time\", …, \"curves\"}]}]}, keys as measure says them.
+JSON: {\"segments\": [{\"from\", \"to\", \"methods\": [{\"method\", \"cost\", \"time\", …, \"curves\"}]}]}, keys as measure says them.
 
 Example:
-  eigenform compare show.eigenform.json --methods linear,spectral,crowd,social-force")]
+  eigenform compare show.eigenform.json --methods linear,spectral,crowd,social-force
+  eigenform compare show.eigenform.json --methods crowd --costs least-effort,euclidean,manhattan --free-arrival")]
 pub struct Compare {
     #[command(flatten)]
     pub source: Source,
@@ -181,7 +189,16 @@ pub struct Compare {
     #[arg(long, value_name = "METHODS", value_delimiter = ',')]
     #[arg(default_value = "linear,polar,spectral,crowd,crowd-no-feedback,crowd-no-groups")]
     pub methods: Vec<String>,
-    /// Print JSON; without it a table
+    /// Who goes where, by what: keep (as in the scene), least-effort, squared, euclidean, manhattan
+    #[arg(long, value_name = "COSTS", value_delimiter = ',', default_value = "keep")]
+    pub costs: Vec<String>,
+    /// How much the way counts in least effort, 0–1; that of the transition's recipe, else 0.9
+    #[arg(long, value_name = "NUMBER")]
+    pub lambda: Option<f64>,
+    /// Everybody goes at this pace, in meters a second, and arrives when they do; without it at the keyframe's time
+    #[arg(long, value_name = "PACE", num_args = 0..=1, require_equals = true, default_missing_value = WALKING_PACE)]
+    pub free_arrival: Option<f64>,
+    /// Print JSON, with curves over time; without it a table
     #[arg(long)]
     pub json: bool,
 }

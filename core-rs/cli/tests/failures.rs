@@ -67,6 +67,8 @@ fn bad_input_is_two_and_says_where() {
         (&["check", "show.json", "--minimum-distance", "-1"], "out-of-range: "),
         (&["check", "show.json", "--method", "fast"], "unknown-value: "),
         (&["compare", "show.json", "--methods", "linear,best"], "unknown-value: \"best\" is not known here; it must be one of \"auto\""),
+        (&["compare", "show.json", "--costs", "least"], "unknown-value: \"least\" is not known here; it must be one of \"squared\""),
+        (&["compare", "show.json", "--free-arrival=0"], "out-of-range: 0 is out of range; it must be from 0.01 to 1000"),
         (&["check", "show.json", "--join", "sideways"], "unknown-value: \"sideways\" is not known here; it must be one of \"separate\""),
         (&["check", "show.json", "--avoidance=yes"], "unknown-value: "),
         (&["open", "https://example.org/"], "not-a-link: "),

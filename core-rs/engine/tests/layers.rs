@@ -21,6 +21,7 @@ const MAY_KNOW: [(&str, &[&str]); 16] = [
         "perform",
         &[
             "adjacency",
+            "assignment",
             "choice",
             "edits",
             "error",

@@ -6,7 +6,7 @@ use eigenform::assignment;
 use eigenform::choice::Choice;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
-use eigenform::perform::{Counterpart, Performed, Performer, SegmentJob};
+use eigenform::perform::{Aside, Counterpart, Performed, Performer, SegmentJob};
 use eigenform::scene::{self, Scene, Source};
 use eigenform::text;
 use glam::DVec2;
@@ -77,7 +77,7 @@ pub fn link(scene: &Scene, is_short: bool) -> String {
 
 pub fn begin(performer: &mut Performer, scene: &Scene, segment: usize, held: Option<&str>, counterpart: Option<&str>) -> SegmentJob {
     let held = held.map_or_else(Vec::new, choices);
-    performer.begin_compared(scene, segment, &held, counterpart.and_then(Counterpart::named), false)
+    performer.begin_compared(scene, segment, &held, Aside { counterpart: counterpart.and_then(Counterpart::named), ..Aside::default() })
 }
 
 pub fn curves(performed: &Performed) -> Vec<f32> {

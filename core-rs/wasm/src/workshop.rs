@@ -3,7 +3,9 @@
 use eigenform::adjacency::Adjacency;
 use eigenform::assignment::{self, Question};
 use eigenform::grouping::{self, AffinityJob, Metric, Preference, Way};
-use eigenform::perform::{Performed, Salvage, SalvageJob, SalvageStep};
+use eigenform::perform::{
+    Compared, ComparedWay, Comparison, ComparisonJob, ComparisonStep, Performed, Performer, Salvage, SalvageJob, SalvageStep, Seats,
+};
 use eigenform::scene::recording::{Recording, read_recording};
 use eigenform::scene::{self, Scene};
 use eigenform::spectral::{Eigenbasis, ModeMatch};
@@ -21,6 +23,8 @@ pub struct Workshop {
     salvaged: Option<Box<Salvage>>,
     recording: Option<Recording>,
     errand: Option<Errand>,
+    /// Places that ways compared under one cost share.
+    seats: Seats,
 }
 
 impl Workshop {
@@ -108,13 +112,22 @@ impl Engine {
         Ok(())
     }
 
+    /// Sets out to move a segment one way, under the cost of a recipe (JSON), and at a pace where everybody arrives when they do.
+    pub fn begin_comparison(&mut self, segment: usize, way: &str, recipe: &str, pace: Option<f64>) -> Result<(), Refusal> {
+        let asked = comparison(way, recipe, pace)?;
+        let job = ComparisonJob::new(at_hand(self.scene.as_ref()), segment, asked, &mut self.workshop.seats)?;
+        self.workshop.errand = Some(Errand::Comparison(Box::new(job), None));
+        Ok(())
+    }
+
     /// Goes on with the errand for a while; answers how far it is, 1 when its result can be read.
     pub fn step_errand(&mut self) -> Result<f64, Refusal> {
-        self.workshop.errand.as_mut().map_or(Ok(1.0), Errand::step)
+        let Workshop { errand, seats, .. } = &mut self.workshop;
+        errand.as_mut().map_or(Ok(1.0), |errand| errand.step(&mut self.performer, seats))
     }
 
     /// JSON, once: of an assignment `{slots, bends, ownBends}`, by agent its slot and where its way
-    /// there and to the slot of its own number bends around obstacles; of affinity the groups.
+    /// there and to the slot of its own number bends around obstacles; of affinity the groups; of a comparison its numbers and curves.
     ///
     /// # Panics
     /// When there is no errand: a bug of the page.
@@ -169,13 +182,21 @@ fn groups(scene: &Scene, keyframe: usize, graph: &Adjacency, agents: &[u32], way
 enum Errand {
     Assignment(assignment::Job),
     Affinity(AffinityJob),
+    Comparison(Box<ComparisonJob>, Option<Box<Compared>>),
 }
 
 impl Errand {
-    fn step(&mut self) -> Result<f64, Refusal> {
+    fn step(&mut self, performer: &mut Performer, seats: &mut Seats) -> Result<f64, Refusal> {
         Ok(match self {
             Self::Assignment(job) => job.step()?,
             Self::Affinity(job) => job.step(),
+            Self::Comparison(job, compared) => match job.step(performer, seats)? {
+                ComparisonStep::Progress(progress) => progress.min(0.999),
+                ComparisonStep::Done(found) => {
+                    *compared = Some(found);
+                    1.0
+                }
+            },
         })
     }
 
@@ -187,6 +208,7 @@ impl Errand {
                 encode(&json!({ "slots": job.slots(), "bends": bends(job.slots()), "ownBends": bends(&own) }))
             }
             Self::Affinity(job) => encode(&job.groups()),
+            Self::Comparison(_, compared) => encode(&compared),
         }
     }
 }
@@ -201,6 +223,11 @@ fn assignment(scene: &Scene, segment: usize, recipe: &str, is_flipped: bool, is_
     let sections = &scene::group_levels(&scene.groups, source.agent_count());
     let question = Question { source, target, spec, sections, is_flipped, is_predicted };
     Ok(Errand::Assignment(assignment::Job::around(&question, &scene.obstacle_shapes(), scene.minimum_distance)?))
+}
+
+fn comparison(way: &str, recipe: &str, pace: Option<f64>) -> Result<Comparison, Refusal> {
+    let way = ComparedWay::named(way).expect("the page knows the ways by their names");
+    Ok(Comparison { way, cost: scene::document::read_assignment(recipe)?.cost, pace })
 }
 
 fn affinity(scene: &Scene, keyframe: usize, agents: &[u32], metric: &str, times: f64) -> Result<Errand, Refusal> {

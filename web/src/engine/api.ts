@@ -1,7 +1,7 @@
 import type { ReadonlySignal } from "@preact/signals";
 import type { Branch } from "../document/commands/propose";
 import type { Formation, Point } from "../document/formation";
-import type { AssignmentSpec, Choice, Scene } from "../document/scene";
+import type { AssignmentSpec, Choice, Cost, MethodName, Scene } from "../document/scene";
 import type { SegmentMotion } from "../playback/motion";
 import type { AffinityRequest } from "./protocol";
 
@@ -155,8 +155,11 @@ export interface SegmentCurves {
   readonly pathLength: Float32Array;
 }
 
-/** The paper's own ways to keep apart, for comparison: social forces on the method's way, or toward the target alone. */
-export type Counterpart = "social-force-guide" | "social-force";
+/**
+ * Ways to keep apart that no scene has, for comparison: social forces on the method's way, or toward the target alone, or optimal
+ * reciprocal collision avoidance toward the target.
+ */
+export type Counterpart = "social-force-guide" | "social-force" | "orca";
 
 export interface SegmentPlan {
   readonly motion: SegmentMotion;
@@ -221,6 +224,19 @@ export interface FoundPlaces {
 }
 
 export type Bends = readonly (readonly Point[])[];
+
+/** How a transition may be moved to be compared. */
+export type ComparedWay = Exclude<MethodName, "auto"> | "crowd-no-feedback" | "crowd-no-groups" | Counterpart;
+
+/** One way to move a transition, whatever the scene says of it. */
+export interface ComparisonQuestion {
+  readonly segment: number;
+  readonly way: ComparedWay;
+  /** By what places are given first; `keep`: as they are. */
+  readonly cost: Cost;
+  /** Meters a second of everybody who arrives when they do; null: at the keyframe's time. */
+  readonly pace: number | null;
+}
 
 /** Questions to the engine, each answered once. */
 export interface Engine {

@@ -1,6 +1,7 @@
 import type { Choice } from "../document/scene";
 import type {
   AssignmentQuestion,
+  ComparisonQuestion,
   Counterpart,
   EngineProblem,
   GroupingWay,
@@ -75,6 +76,8 @@ export interface Calls {
     /** Rows of likeness and pairings; eigenvalues at each of the steps, none for 0. */
     answer: { readonly match: Float32Array; readonly eigenvalues: Float64Array };
   };
+  /** Answers JSON of the numbers and curves of one way; null as above. */
+  comparison: { ask: { readonly scene: SceneMessage } & ComparisonQuestion; answer: string | null };
   /** Answers JSON of measures and curves. */
   movement: { ask: { readonly scene: SceneMessage; readonly segment: number }; answer: string };
   /** A slice of the work of letting them spread out; without a scene it goes on with the work under way. */

@@ -26,6 +26,11 @@ const handlers: Handlers<Engine> = {
     to.begin_affinity(keyframe, agents, metric, times);
     return finish(id, to);
   },
+  comparison: ({ scene, segment, way, cost, pace }, to, id) => {
+    take(scene, to);
+    to.begin_comparison(segment, way, JSON.stringify({ cost }), pace ?? undefined);
+    return finish(id, to);
+  },
   modes: ({ scene, keyframe, most }, to) => {
     take(scene, to);
     return to.modes(keyframe, most);

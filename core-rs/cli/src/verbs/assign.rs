@@ -12,10 +12,16 @@ use crate::failure::Failure;
 use crate::input::Words;
 use crate::{input, output};
 
-const COSTS: Words<Cost> = (
+pub const COSTS: Words<Cost> = (
     &["squared", "least-effort", "euclidean", "manhattan", "keep"],
     &[Cost::Squared, Cost::LeastEffort, Cost::Euclidean, Cost::Manhattan, Cost::Keep],
 );
+
+/// The word for a cost.
+pub fn word_of(cost: Cost) -> &'static str {
+    let (words, costs) = COSTS;
+    words[costs.iter().position(|known| *known == cost).expect("every cost has a word")]
+}
 
 #[derive(Serialize)]
 struct Report<'a> {

@@ -191,6 +191,28 @@ fn ways_are_compared_by_their_names_and_those_that_no_scene_has_too() {
 }
 
 #[test]
+fn ways_are_compared_under_every_cost_and_where_everybody_arrives_when_they_do() {
+    let desk = Desk::new();
+    // Two who stand in each other's place: any cost but keeping sends nobody anywhere.
+    let keyframes = json!([{ "positions": [[0, 0], [3, 0]] }, { "time": 2, "positions": [[3, 0], [0, 0]] }]);
+    desk.put("swap.json", &json!({ "format": "eigenform", "version": 1, "keyframes": keyframes }).to_string());
+    let asked = ["compare", "swap.json", "--methods", "linear,crowd", "--costs", "keep,least-effort,manhattan"];
+    let rows = |typed: &[&str]| parsed(&desk.answer(&[&asked[..], typed, &["--json"]].concat()))["segments"][0]["methods"].clone();
+    let timed = rows(&[]);
+    let of = |rows: &Value, key: &str| rows.as_array().expect("rows").iter().map(|row| row[key].clone()).collect::<Vec<_>>();
+    assert_eq!(of(&timed, "cost"), ["keep", "keep", "least-effort", "least-effort", "manhattan", "manhattan"]);
+    assert_eq!(of(&timed, "method"), ["linear", "crowd", "linear", "crowd", "linear", "crowd"]);
+    let walked: Vec<f64> = of(&timed, "pathLength").iter().map(|length| number(&length["max"])).collect();
+    assert!((walked[0] - 3.0).abs() < 1e-9 && walked[2] < 1e-9 && walked[4] < 1e-9, "{walked:?}");
+    // 3 m at 1.34 m/s and at 0.5 m/s.
+    assert!((number(&rows(&["--free-arrival"])[0]["time"]) - 3.0 / 1.34).abs() < 1e-9);
+    assert!((number(&rows(&["--free-arrival=0.5"])[0]["time"]) - 6.0).abs() < 1e-9);
+    let table = desk.answer(&asked);
+    assert_eq!(table.lines().nth(1).and_then(|line| line.split_whitespace().next()), Some("cost"));
+    assert_eq!(table.lines().count(), 2 + 6);
+}
+
+#[test]
 fn spread_gives_those_who_are_stuck_room_and_leaves_all_else() {
     let desk = Desk::new();
     let outcome = desk.run(&["spread", "show.json"]);

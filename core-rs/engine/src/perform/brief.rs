@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::avoid::outline;
-use super::counterpart::Counterpart;
+use super::counterpart::Aside;
 use super::levels::node_way;
 use super::travel::{Turnings, charted, travel};
 use crate::adjacency::AdjacencySpec;
@@ -44,10 +44,8 @@ pub(super) struct Brief {
     pub(super) minimum_distance: f64,
     pub(super) obstacles: Arc<Vec<Obstacle>>,
     pub(super) seed: u32,
-    /// What moves it in place of what it asks for.
-    pub(super) counterpart: Option<Counterpart>,
-    /// Whether forces go on until everybody has arrived.
-    pub(super) waits: bool,
+    /// What is asked beside the scene.
+    pub(super) aside: Aside,
 }
 
 /// A keyframe as a segment sees it.
@@ -135,14 +133,13 @@ impl Brief {
             minimum_distance: scene.minimum_distance,
             obstacles: scene.obstacles.clone(),
             seed: scene.seed,
-            counterpart: None,
-            waits: false,
+            aside: Aside::default(),
         }
     }
 
-    /// The same moved by something else.
-    pub(super) fn compared(self, counterpart: Option<Counterpart>, waits: bool) -> Self {
-        Self { counterpart, waits, ..self }
+    /// The same as a comparison asks for it.
+    pub(super) fn compared(self, aside: Aside) -> Self {
+        Self { aside, ..self }
     }
 
     /// The keyframes that it depends on, by number in its scene, in order.
@@ -187,7 +184,7 @@ impl Brief {
 
     /// Whether forces lead its agents.
     pub(super) fn has_crowd(&self) -> bool {
-        self.own.transition.method == MethodName::Crowd || self.counterpart.is_some()
+        self.own.transition.method == MethodName::Crowd || self.aside.counterpart.is_some()
     }
 
     fn has_edits(&self) -> bool {
@@ -257,7 +254,7 @@ impl PartialEq for Brief {
             && self.beside == other.beside
             && meets(self) == meets(other)
             && numbers(self) == numbers(other)
-            && (self.counterpart, self.waits) == (other.counterpart, other.waits)
+            && self.aside == other.aside
             && (!self.has_crowd() || have_same_bodies(&self.agents, &other.agents))
             && (!self.has_edits() || self.seed == other.seed)
             && (!self.knows_obstacles() || Arc::ptr_eq(&self.obstacles, &other.obstacles))

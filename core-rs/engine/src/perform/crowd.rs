@@ -63,26 +63,48 @@ impl Crowding {
 
 fn rules(brief: &Brief, guide: &Motion) -> CrowdRules {
     let told = &brief.own.transition.crowd;
-    let (aim, ending) = match brief.counterpart {
+    let (aim, ending) = match brief.aside.counterpart {
         None => (Aim::Guide, Ending::Exact),
         Some(Counterpart::GuidedForce) => (Aim::Guide, Ending::Smoothed(brief.minimum_distance)),
         Some(Counterpart::PlainForce) => (Aim::Target, Ending::AsItComes),
+        #[cfg(feature = "comparison")]
+        Some(Counterpart::Orca) => (Aim::Target, Ending::AsItComes),
     };
+    let pace = brief.aside.pace;
     // Paper A has neither feedback nor subgroups in its forces.
-    let is_crowd = brief.counterpart.is_none();
+    let is_crowd = brief.aside.counterpart.is_none();
     CrowdRules {
         constants: told.constants,
         feedback: Feedback { direction: is_crowd && told.direction_feedback, speed: is_crowd && told.speed_feedback },
         unit: guide.spacing(),
-        radius: brief.agents.iter().map(|agent| agent.radius).collect(),
+        radius: radii(brief, guide),
         top_speed: brief.agents.iter().map(|agent| agent.max_speed.unwrap_or(f64::INFINITY)).collect(),
         group: if is_crowd { innermost_groups(&brief.groups, guide.agent_count()) } else { vec![NO_GROUP; guide.agent_count()] },
         obstacles: brief.outlines(),
         seed: brief.seed,
+        #[cfg(feature = "comparison")]
+        is_reciprocal: brief.aside.counterpart == Some(Counterpart::Orca),
         aim,
-        ending,
-        waits: brief.waits,
+        ending: if pace.is_some() { Ending::AsItComes } else { ending },
+        waits: brief.aside.waits,
+        pace,
     }
+}
+
+/// Body radii, meters.
+fn radii(brief: &Brief, guide: &Motion) -> Vec<f64> {
+    let bodies = brief.agents.iter().map(|agent| agent.radius);
+    #[cfg(feature = "comparison")]
+    if brief.aside.counterpart == Some(Counterpart::Orca) {
+        // It keeps bodies from touching: what the scene wants apart is as large a body, but no larger than both keyframes have room for, less
+        // a hundredth, so that standing side by side is no collision by round-off.
+        let [source, target] = [0, guide.times().len() - 1].map(|end| guide.formation(end).nearest_distances());
+        let room = source.into_iter().zip(target).map(|(from, to)| 0.99 * 0.5 * from.min(to));
+        return bodies.zip(room).map(|(body, room)| body.max(0.5 * brief.minimum_distance).min(room)).collect();
+    }
+    #[cfg(not(feature = "comparison"))]
+    let _ = guide;
+    bodies.collect()
 }
 
 /// By agent the group whose own member it is, numbered from 0 in the order of the tree.
@@ -107,7 +129,7 @@ mod tests {
 
     use super::*;
     use crate::choice::MethodName;
-    use crate::perform::{Performed, Performer, Step, perform};
+    use crate::perform::{Aside, Performed, Performer, Step, perform};
     use crate::scene::{Scene, Segment, read_json};
 
     /// Two rows of four that change sides in 4 s, each a group, with one slow agent.
@@ -127,7 +149,7 @@ mod tests {
 
     fn compared(scene: &Scene, counterpart: Counterpart) -> Arc<Performed> {
         let mut performer = Performer::default();
-        let mut job = performer.begin_compared(scene, 0, &[], Some(counterpart), true);
+        let mut job = performer.begin_compared(scene, 0, &[], Aside { counterpart: Some(counterpart), waits: true, pace: None });
         loop {
             if let Step::Done(performed) = job.step(&mut performer).expect("the show can be performed") {
                 return performed;

@@ -9,6 +9,8 @@ use super::avoid::{Avoiding, Kept, judged};
 use super::brief::Brief;
 use super::clock::{Clock, path_parameters};
 use super::crowd::{Crowded, Crowding};
+#[cfg(feature = "comparison")]
+use super::free::freed;
 use super::performed::{Candidate, Performed};
 use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
@@ -201,6 +203,7 @@ impl Work {
                 } else {
                     let positions = std::mem::take(&mut samples.positions);
                     let guide = Motion::sampled(times, plan.chain.agent_count(), positions, samples.heights.take());
+                    let guide = self.at_pace(guide, &mut samples.ts);
                     match Crowding::of(&self.brief, guide) {
                         Ok(crowding) => Stage::Crowding(plan, clock, samples, Box::new(crowding)),
                         Err(guide) => self.keep_apart(plan, clock, samples, guide),
@@ -333,9 +336,26 @@ impl Work {
         Stage::Moving(plan, clock, times, Sampling::new(transition, ts, has_heights))
     }
 
+    /// The guide as it is walked: at its own pace where everybody arrives when they do.
+    #[cfg(feature = "comparison")]
+    fn at_pace(&self, guide: Motion, ts: &mut Vec<f64>) -> Motion {
+        let Some(pace) = self.brief.aside.pace else { return guide };
+        let top_speeds: Vec<f64> = self.brief.agents.iter().map(|agent| agent.max_speed.unwrap_or(f64::INFINITY)).collect();
+        let freed = freed(&guide, pace, &top_speeds, self.brief.frame_rate, self.brief.has_crowd());
+        *ts = freed.ts;
+        freed.motion
+    }
+
+    /// The guide as it is.
+    #[cfg(not(feature = "comparison"))]
+    #[expect(clippy::unused_self, clippy::ptr_arg, reason = "with comparisons both are looked at")]
+    fn at_pace(&self, guide: Motion, _: &mut Vec<f64>) -> Motion {
+        guide
+    }
+
     /// Avoidance, where it has something to do and no counterpart is in its place.
     fn keep_apart(&self, plan: Plan, clock: Clock, samples: Sampling, guide: Motion) -> Stage {
-        let kept = if let (Some(_), Some(crowded)) = (self.brief.counterpart, &plan.crowded) {
+        let kept = if let (Some(_), Some(crowded)) = (self.brief.aside.counterpart, &plan.crowded) {
             Kept { avoided: judged(&self.brief, &plan.chain, &guide, crowded.guide_deviation), ..Kept::as_is(guide) }
         } else {
             match Avoiding::of(&self.brief, &plan.chain, guide) {
@@ -351,7 +371,8 @@ impl Work {
         let (chain, brief) = (&plan.chain, &self.brief);
         let [source, target] = [&chain.ends()[chain.at()], &chain.ends()[chain.at() + 1]];
         let Kept { motion, deviation, avoided } = kept;
-        let (measures, curves) = measure::measure(&motion, &samples.ts, [&source.adjacency, &target.adjacency], brief.minimum_distance);
+        let (measures, curves) =
+            measure::measure(&motion, &samples.ts[..motion.times().len()], [&source.adjacency, &target.adjacency], brief.minimum_distance);
         let held_clearance = tied::nearest(&motion, chain, &brief.obstacles);
         let guide = plan.ways.own.choice;
         let is_crowd = brief.own.transition.method == MethodName::Crowd;

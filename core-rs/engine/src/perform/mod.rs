@@ -7,8 +7,12 @@ mod auto;
 mod avoid;
 mod brief;
 mod clock;
+#[cfg(feature = "comparison")]
+mod comparison;
 mod counterpart;
 mod crowd;
+#[cfg(feature = "comparison")]
+mod free;
 mod graphs;
 mod job;
 mod levels;
@@ -33,7 +37,9 @@ use crate::scene::{Group, Obstacle, Scene};
 use crate::transition::Planner;
 
 pub use avoid::{Avoided, Suggestion};
-pub use counterpart::Counterpart;
+#[cfg(feature = "comparison")]
+pub use comparison::{Compared, ComparedWay, Comparison, ComparisonJob, ComparisonStep, Seats};
+pub use counterpart::{Aside, Counterpart};
 pub use crowd::Crowded;
 pub use job::{SegmentJob, Step};
 pub use performed::{Candidate, Performed, Report};
@@ -115,17 +121,9 @@ impl Performer {
         }
     }
 
-    /// As [`Self::begin`], with the segment moved by something that scenes do not have. `waits`: where forces lead, until everybody
-    /// has arrived by them.
-    pub fn begin_compared(
-        &mut self,
-        scene: &Scene,
-        index: usize,
-        held: &[Option<Choice>],
-        counterpart: Option<Counterpart>,
-        waits: bool,
-    ) -> SegmentJob {
-        self.begin_brief(scene, Brief::of(scene, index, held).compared(counterpart, waits))
+    /// As [`Self::begin`], with the segment moved as scenes cannot ask for it.
+    pub fn begin_compared(&mut self, scene: &Scene, index: usize, held: &[Option<Choice>], aside: Aside) -> SegmentJob {
+        self.begin_brief(scene, Brief::of(scene, index, held).compared(aside))
     }
 
     /// The whole show, at once.

@@ -21,6 +21,7 @@ const KEPT_APART: readonly { value: Counterpart | typeof OWN; label: string }[] 
   { value: OWN, label: "As it says" },
   { value: "social-force-guide", label: "Social force on its way" },
   { value: "social-force", label: "Social force alone" },
+  { value: "orca", label: "ORCA alone" },
 ];
 
 /** The method of one way and what it can be told, in a line. */

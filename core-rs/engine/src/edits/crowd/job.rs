@@ -1,11 +1,12 @@
 //! The walk in steps: sample by sample, each in as many moments as the forces need.
 
 use eigenform_apart::Paths;
-use eigenform_force::{Bodies, Crowd, Setting};
+use eigenform_force::Bodies;
 use glam::DVec2;
 
 use super::ending::{ended, smoothed};
 use super::guide::Guide;
+use super::walkers::{Speeds, Walkers};
 use super::{Aim, CrowdRules, Ending, Led};
 use crate::edits::deviation::Deviation;
 use crate::motion::Motion;
@@ -40,7 +41,7 @@ pub enum CrowdStep {
 pub struct CrowdJob {
     rules: CrowdRules,
     guide: Guide,
-    crowd: Crowd,
+    crowd: Walkers,
     /// Samples walked.
     at: usize,
     offsets: Paths,
@@ -67,9 +68,14 @@ impl CrowdJob {
         let agent_count = self.guide.motion().agent_count();
         let mut moves = 0;
         while moves < MOVES_PER_STEP {
-            let moments = if self.at + 1 < self.guide.motion().times().len() {
+            let is_over = self.at + 1 == self.guide.motion().times().len() || self.rules.pace.is_some() && self.arrived_at.is_some();
+            let moments = if !is_over {
                 self.walk()
-            } else if self.rules.waits && self.arrived_at.is_none() && self.overtime < PATIENCE * self.duration() {
+            } else if self.rules.pace.is_none()
+                && self.rules.waits
+                && self.arrived_at.is_none()
+                && self.overtime < PATIENCE * self.duration()
+            {
                 self.wait()
             } else {
                 return CrowdStep::Done(Box::new(self.finish()));
@@ -121,6 +127,8 @@ impl CrowdJob {
         let (look_ahead, next) = (self.rules.constants.look_ahead, time + seconds);
         let (aim, within) = match self.rules.aim {
             Aim::Guide => (next + look_ahead, look_ahead + seconds),
+            // As fast as anybody hurries, until one is nearly there.
+            Aim::Target if self.rules.pace.is_some() => (end, look_ahead),
             // As fast as to be there in time: the way that is left in the time that is left.
             Aim::Target => (end, (end - time).max(look_ahead)),
         };
@@ -145,12 +153,18 @@ impl CrowdJob {
 
     fn finish(&mut self) -> Led {
         let Self { rules, guide, offsets, .. } = self;
-        let (motion, last) = (guide.motion(), guide.motion().times().len() - 1);
-        let arrival_error = mean_and_greatest((0..motion.agent_count()).map(|agent| length(offsets, agent, last)));
+        let (last, end) = (self.at, guide.motion().times().len() - 1);
+        let motion = &up_to(guide.motion(), last);
+        let offsets = offsets_up_to(offsets, last);
+        let error = |agent: usize| {
+            let [x, y, _] = offsets.place(agent, last);
+            (DVec2::new(x, y) + (guide.sample(last, agent) - guide.sample(end, agent))).length()
+        };
+        let arrival_error = mean_and_greatest((0..motion.agent_count()).map(error));
         let (offsets, is_clamped) = match rules.ending {
-            Ending::Exact => (ended(offsets, motion.times()), true),
-            Ending::Smoothed(least) => (smoothed(offsets, motion, least), true),
-            Ending::AsItComes => (offsets.clone(), false),
+            Ending::Exact => (ended(&offsets, motion.times()), true),
+            Ending::Smoothed(least) => (smoothed(&offsets, motion, least), true),
+            Ending::AsItComes => (offsets, false),
         };
         let distances = (0..motion.agent_count()).flat_map(|agent| (0..=last).map(move |k| (agent, k)));
         Led {
@@ -163,7 +177,7 @@ impl CrowdJob {
     }
 }
 
-fn crowd(rules: &CrowdRules, guide: &mut Guide) -> Crowd {
+fn crowd(rules: &CrowdRules, guide: &mut Guide) -> Walkers {
     let agent_count = guide.motion().agent_count();
     let [start, _] = guide.span();
     let mut places = |time: f64| {
@@ -190,13 +204,11 @@ fn crowd(rules: &CrowdRules, guide: &mut Guide) -> Crowd {
         outline.radius /= rules.unit;
         outline
     });
-    let setting = Setting {
-        obstacles: outlines.collect(),
-        usual_radius: USUAL_RADIUS / rules.unit,
-        hurry: HURRY * guide.top_speed(),
-        seed: rules.seed,
+    let speeds = match (rules.aim, rules.pace.map(|pace| pace / rules.unit)) {
+        (Aim::Target, Some(pace)) => Speeds { wished: pace, greatest: HURRY * pace },
+        _ => Speeds { wished: HURRY * guide.top_speed(), greatest: HURRY * guide.top_speed() },
     };
-    Crowd::new(rules.constants, rules.feedback, bodies, setting)
+    Walkers::new(rules, bodies, outlines.collect(), USUAL_RADIUS / rules.unit, speeds)
 }
 
 fn length(offsets: &Paths, agent: usize, k: usize) -> f64 {
@@ -208,6 +220,23 @@ fn mean_and_greatest(lengths: impl Iterator<Item = f64>) -> [f64; 2] {
     let (count, sum, greatest) =
         lengths.fold((0_usize, 0.0, 0.0_f64), |(count, sum, greatest), length| (count + 1, sum + length, greatest.max(length)));
     [sum / count.max(1) as f64, greatest]
+}
+
+/// The samples of a motion up to one of them.
+fn up_to(motion: &Motion, last: usize) -> Motion {
+    let count = (last + 1) * motion.agent_count();
+    let heights = motion.heights().map(|heights| heights[..count].to_vec());
+    Motion::sampled(motion.times()[..=last].to_vec(), motion.agent_count(), motion.positions()[..count].to_vec(), heights)
+}
+
+fn offsets_up_to(offsets: &Paths, last: usize) -> Paths {
+    let mut kept = Paths::new(offsets.agent_count(), last + 1, 2);
+    for axis in 0..2 {
+        for agent in 0..offsets.agent_count() {
+            kept.path_mut(axis, agent).copy_from_slice(&offsets.path(axis, agent)[..=last]);
+        }
+    }
+    kept
 }
 
 /// The guide with offsets added, in plan.

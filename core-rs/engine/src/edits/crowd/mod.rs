@@ -10,6 +10,7 @@ mod job;
 mod row;
 #[cfg(test)]
 mod tests;
+mod walkers;
 
 use eigenform_apart::Outline;
 use eigenform_force::{Constants, Feedback};
@@ -38,12 +39,18 @@ pub struct CrowdRules {
     pub obstacles: Vec<Outline>,
     /// Of the fluctuation.
     pub seed: u32,
+    /// Agents avoid each other by optimal reciprocal collision avoidance, and there are no forces: to compare with.
+    #[cfg(feature = "comparison")]
+    pub is_reciprocal: bool,
     /// Where agents go.
     pub aim: Aim,
     /// How they arrive.
     pub ending: Ending,
     /// Whether to wait until all have arrived: it takes as long again or more, and changes nothing else.
     pub waits: bool,
+    /// Meters a second of everybody who arrives when they do: the guide stands at its end for as long as they may be waited for, and
+    /// the motion is over once they are there. None: it is over when the guide is.
+    pub pace: Option<f64>,
 }
 
 /// Where agents aim.

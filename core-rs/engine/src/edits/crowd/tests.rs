@@ -31,9 +31,12 @@ fn rules(agent_count: usize) -> CrowdRules {
         group: (0..agent_count).map(|agent| u32::from(agent >= agent_count / 2)).collect(),
         obstacles: Vec::new(),
         seed: 5,
+        #[cfg(feature = "comparison")]
+        is_reciprocal: false,
         aim: Aim::Guide,
         ending: Ending::Exact,
         waits: false,
+        pace: None,
     }
 }
 
