@@ -3,14 +3,25 @@ import "./compare.css";
 import { useState } from "preact/hooks";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
+import { Segmented } from "../controls/segmented";
 import type { Comparison } from "../dialogs/dialogs";
 import { Frame } from "../dialogs/frame";
 import type { DialogProps } from "../dialogs/host";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { Sides } from "./side-by-side";
 import { startingSides, transitionAtHand } from "./starting-sides";
 
-/** Two ways from one formation to the next, side by side and in step, with the numbers of both. */
+const RunView = lazily(() => import("./run/run-view").then((part) => part.RunView));
+
+type View = "sides" | "run";
+
+const VIEWS: readonly { readonly value: View; readonly label: string }[] = [
+  { value: "sides", label: "Side by side" },
+  { value: "run", label: "Table and plots" },
+];
+
+/** Two ways from one formation to the next, side by side and in step, with the numbers of both; or many ways as a table and over time. */
 export function CompareDialog({ request, dialogs }: DialogProps<Comparison>) {
   const { document, playback } = useStudio();
   const [sides] = useState(() => {
@@ -19,6 +30,7 @@ export function CompareDialog({ request, dialogs }: DialogProps<Comparison>) {
     playback.pause();
     return startingSides(scene, request.segments ?? [hand, hand]);
   });
+  const [view, setView] = useState<View>("sides");
   const scene = document.scene.value;
   const index = sides?.[0].segment ?? 0;
   return (
@@ -29,7 +41,12 @@ export function CompareDialog({ request, dialogs }: DialogProps<Comparison>) {
       onClose={dialogs.close}
     >
       {sides ? (
-        <Sides first={sides} onDone={dialogs.close} />
+        <>
+          <div class="compare-view">
+            <Segmented label="View" value={view} choices={VIEWS} onChoose={(chosen) => setView(chosen)} />
+          </div>
+          {view === "sides" ? <Sides first={sides} onDone={dialogs.close} /> : <RunView segment={index} />}
+        </>
       ) : (
         <p class="dialog-text">There is no transition to compare yet. Add a second keyframe first.</p>
       )}
