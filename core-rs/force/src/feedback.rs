@@ -14,9 +14,9 @@ use crate::wishes::Wishes;
 /// Below this speed an agent rests, lengths a second.
 const REST: f64 = 1e-3;
 
-/// No wish goes farther toward its bin's than this, however much is told: one's own aim weighs as much as all neighbors', or some would
-/// never arrive; and beyond one bit it would pass the mean.
-const MOST: f64 = 0.5;
+/// No wish goes farther toward its bin's than this, however much is told: one's own aim weighs three times as much as all neighbors', or
+/// some would arrive late, and beyond one bit it would pass the mean. Few agents in many bins always seem to tell so much.
+const MOST: f64 = 0.25;
 
 /// Which feedback there is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,7 +65,7 @@ impl Sharing {
             speeds_into(vx, vy, classes);
             shares[1] = speeds.of([column, row], classes).min(MOST);
         }
-        bins.average(column, row, wishes);
+        bins.average(x, y, constants.bin_size, wishes);
         bins.share(shares, wishes);
     }
 }
@@ -75,17 +75,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn agents_of_one_bin_turn_toward_their_mean_and_no_farther_than_half_of_the_way() {
+    fn agents_of_one_bin_turn_toward_their_mean_and_no_farther_than_a_quarter_of_the_way() {
         // The places tell all of the directions: two bins, two directions, one bit along x and along y.
-        let (x, y) = ([0.5, 0.6, 1.5, 1.6], [0.5, 0.6, 1.5, 1.6]);
+        let (x, y) = ([0.5, 0.5, 2.5, 2.5], [0.5, 0.5, 2.5, 2.5]);
         let (vx, vy) = ([1.0, 1.0, -1.0, -1.0], [0.1; 4]);
         let mut wishes = Wishes { ex: vec![1.0, 0.0, -1.0, 0.0], ey: vec![0.0, 1.0, 0.0, 1.0], speed: vec![1.0, 3.0, 2.0, 2.0] };
         let constants = Constants { bin_size: 1.0, ..Constants::default() };
         let mut sharing = Sharing::new(4, constants.sectors);
         sharing.feed_back(&constants, Feedback { direction: true, speed: false }, [&x, &y, &vx, &vy], &mut wishes);
-        // Half of the way to (½, ½): three quarters and a quarter.
-        let length = 10.0_f64.sqrt();
-        for (found, expected) in wishes.ex.iter().zip([3.0, 1.0, -3.0, -1.0]) {
+        // A quarter of the way to (½, ½): seven eighths and an eighth.
+        let length = 50.0_f64.sqrt();
+        for (found, expected) in wishes.ex.iter().zip([7.0, 1.0, -7.0, -1.0]) {
             // A sum of four terms and a root.
             assert!((found - expected / length).abs() < 1e-15, "{found}");
         }
