@@ -9,10 +9,10 @@ export function bird() {
     groupCount: 8,
     seconds: 8,
     pictures: [
-      ["Bone", drawn(BONE)],
-      ["Bronze", drawn(BRONZE)],
-      ["Brush", drawn(BRUSH)],
-      ["Today", drawn(TODAY)],
+      { name: "Bone", places: drawn(BONE) },
+      { name: "Bronze", places: drawn(BRONZE) },
+      { name: "Brush", places: drawn(BRUSH) },
+      { name: "Today", places: drawn(TODAY) },
     ],
   });
 }

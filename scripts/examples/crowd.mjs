@@ -15,12 +15,12 @@ const COLORS = ["#c64f36", "#2d48cc", "#b98800", "#07875b", "#e85fa8", "#1399e4"
  * A crowd that goes from picture to picture: everybody where the sum of squared ways is least, in groups of those who stay
  * together throughout, moved by social forces along straight ways.
  *
- * @param {{ pictures: [name: string, places: [number, number][], turn?: number][] }} crowd `turn`: how far all wheel on the way
- *   there, degrees
+ * @param {{ pictures: { name: string, places: [number, number][], turn?: number, way?: object }[] }} crowd `turn`: how far all wheel
+ *   on the way there, degrees; `way`: what else the transition there is told
  */
-export function crowdShow({ pictures, groupCount, seconds, way = CROWD, ...scene }) {
+export function crowdShow({ pictures, groupCount, seconds, ...scene }) {
   let before = null;
-  const formations = pictures.map(([, places, turn = 0]) => {
+  const formations = pictures.map(({ places, turn = 0 }) => {
     before = before ? match(turned(before, turn), places) : places;
     return before;
   });
@@ -32,7 +32,7 @@ export function crowdShow({ pictures, groupCount, seconds, way = CROWD, ...scene
     color: COLORS[index],
   }));
   const show = new Show({ minimumDistance: MINIMUM_DISTANCE, grid: 0.01, sections, ...scene });
-  for (const [index, [name]] of pictures.entries()) {
+  for (const [index, { name }] of pictures.entries()) {
     const places = groups.map((agents, group) => [
       `Group ${group + 1}`,
       agents.map((agent) => formations[index][agent]),
@@ -40,11 +40,19 @@ export function crowdShow({ pictures, groupCount, seconds, way = CROWD, ...scene
     show.keyframe({ name, time: index * seconds, hold: HOLD, isInOrder: true }, Object.fromEntries(places));
   }
   if (count !== groups.flat().length) throw new Error(`${scene.title}: somebody is in no group`);
-  return show.toScene(pictures.slice(1).map(() => way));
+  return show.toScene(pictures.slice(1).map(({ way }) => ({ ...CROWD, ...way })));
 }
 
+/** Agents that share neither direction nor speed: in these scenes they turn less and keep more of their distances. */
+export const WITHOUT_FEEDBACK = { directionFeedback: false, speedFeedback: false };
 /** Forces along straight ways, kept apart, and how it was found who goes where. */
-export const CROWD = { kind: "transition", method: "crowd", avoidance: true, assignment: { cost: "squared" } };
+const CROWD = {
+  kind: "transition",
+  method: "crowd",
+  avoidance: true,
+  assignment: { cost: "squared" },
+  crowd: WITHOUT_FEEDBACK,
+};
 
 /** Places all over a drawing `width` meters wide, evenly. */
 export function spread(drawing, count, width) {

@@ -11,10 +11,10 @@ export function fighters() {
     groupCount: 6,
     seconds: 7,
     pictures: [
-      ["Awl", spread('<path d="M 50 10 L 82 90 L 18 90 Z"/>', 300, 24)],
-      ["Goose", spread(goose, 300, 44)],
-      ["Hook", spread(hook, 300, 44)],
-      ["Round", spread(round, 300, 36)],
+      { name: "Awl", places: spread('<path d="M 50 10 L 82 90 L 18 90 Z"/>', 300, 24) },
+      { name: "Goose", places: spread(goose, 300, 44) },
+      { name: "Hook", places: spread(hook, 300, 44) },
+      { name: "Round", places: spread(round, 300, 36) },
     ],
   });
 }

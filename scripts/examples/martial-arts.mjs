@@ -11,11 +11,11 @@ export function martialArts() {
     groupCount: 8,
     seconds: 8,
     pictures: [
-      ["Ranks", block(25, 16, 1.5)],
-      ["Horse stance", figure(HORSE_STANCE, 34)],
-      ["Punch", figure(PUNCH, 38)],
-      ["High kick", figure(KICK, 38)],
-      ["Crane", figure(CRANE, 36)],
+      { name: "Ranks", places: block(25, 16, 1.5) },
+      { name: "Horse stance", places: figure(HORSE_STANCE, 34) },
+      { name: "Punch", places: figure(PUNCH, 38) },
+      { name: "High kick", places: figure(KICK, 38) },
+      { name: "Crane", places: figure(CRANE, 36) },
     ],
   });
 }

@@ -1,4 +1,7 @@
+import { alongACurve } from "./along-a-curve.mjs";
+import { apeToHuman } from "./ape-to-human.mjs";
 import { bird } from "./bird.mjs";
+import { feedback } from "./feedback.mjs";
 import { fighters } from "./fighters.mjs";
 import { martialArts } from "./martial-arts.mjs";
 import { runningMan } from "./running-man.mjs";
@@ -9,4 +12,7 @@ export const CROWDS = {
   "running-man": { make: runningMan, cover: 0 },
   "martial-arts": { make: martialArts, cover: 2 },
   fighters: { make: fighters, cover: 1 },
+  "along-a-curve": { make: alongACurve, cover: 0 },
+  "ape-to-human": { make: apeToHuman, cover: 0 },
+  feedback: { make: feedback, cover: 2 },
 };

@@ -10,9 +10,9 @@ export function runningMan() {
     groupCount: 8,
     seconds: 9,
     pictures: [
-      ["Round", spread('<circle cx="50" cy="50" r="50"/>', 600, 30)],
-      ["There", figure],
-      ["And back", figure.map(([x, y]) => [-x, y])],
+      { name: "Round", places: spread('<circle cx="50" cy="50" r="50"/>', 600, 30) },
+      { name: "There", places: figure },
+      { name: "And back", places: figure.map(([x, y]) => [-x, y]) },
     ],
   });
 }

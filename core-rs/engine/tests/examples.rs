@@ -149,7 +149,7 @@ fn figure_11_nobody_comes_too_near_on_the_way() {
 
 #[test]
 fn crowds_change_their_shapes_and_keep_their_distance() {
-    for id in ["bird", "running-man", "martial-arts", "fighters"] {
+    for id in ["bird", "running-man", "martial-arts", "fighters", "along-a-curve", "ape-to-human"] {
         let scene = example(id);
         let performance = perform(&scene).unwrap_or_else(|error| panic!("{id}: {error}"));
         for performed in performance.segments() {
@@ -157,6 +157,13 @@ fn crowds_change_their_shapes_and_keep_their_distance() {
             assert!(performed.avoided.as_ref().is_some_and(|avoided| avoided.unsolved.is_empty()), "{id}");
         }
     }
+}
+
+#[test]
+fn without_feedback_the_same_crowd_turns_less() {
+    let [without, with] = pair("feedback");
+    assert!(without.measures.turning.mean < 0.9 * with.measures.turning.mean);
+    assert!(without.measures.distortion.mean < 0.9 * with.measures.distortion.mean);
 }
 
 #[derive(Deserialize)]

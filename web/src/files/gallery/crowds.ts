@@ -30,4 +30,26 @@ export const CROWDS: readonly ExampleCard[] = [
     agentCount: 300,
     keyframeCount: 4,
   },
+  {
+    id: "along-a-curve",
+    title: "Along a curve",
+    description: "Figure 6: a block travels along a path, an arrow on its crest and a ring at its end",
+    agentCount: 180,
+    keyframeCount: 3,
+  },
+  {
+    id: "ape-to-human",
+    title: "From ape to human",
+    description: "Figure 7: an ape rises on its way up a hill, and walks on as a human",
+    agentCount: 400,
+    keyframeCount: 3,
+  },
+  {
+    id: "feedback",
+    title: "Feedback, off and on",
+    description: "Figure 12: sharing direction and speed with who is near; here agents turn less without it",
+    agentCount: 300,
+    keyframeCount: 4,
+    view: { kind: "compare", segments: [0, 2] },
+  },
 ];
