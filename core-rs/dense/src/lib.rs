@@ -1,17 +1,29 @@
 //! Dense linear algebra on one thread: the only place that calls faer's kernels.
 //!
 //! A crate of its own because faer is generic: its kernels are compiled where they are called, and here they are compiled for speed
-//! while the rest of the browser's engine is compiled for size.
+//! while the rest of the browser's engine is compiled for size. Symmetric eigenproblems, and products in the browser, are solved here:
+//! what a browser makes of faer's takes up to twice as long.
 
 #![forbid(unsafe_code)]
 
+mod conquer;
 pub mod messages;
 mod reduced;
+mod reduction;
+mod secular;
+mod tiles;
+mod tridiagonal;
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, ColRef, Mat, MatMut, MatRef, Par};
 
 pub use reduced::Reduced;
+
+/// Where only the lower triangle is wanted, so many columns are made at a time, from the diagonal down.
+const TRIANGLE_WIDTH: usize = 64;
+
+/// A product with a side below this is not made in tiles.
+const LEAST_SIDE: usize = 8;
 
 /// A symmetric matrix as eigenvalues, ascending, and orthonormal eigenvectors, a column each.
 pub struct SymmetricEigen {
@@ -37,13 +49,53 @@ pub fn product(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> Mat<f64> {
 }
 
 /// out = left · right.
-pub fn product_into(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
-    matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
+pub fn product_into(mut out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+    if goes_by_tiles(left, right) {
+        out.fill(0.0);
+        tiles::add_product(out, left, right, 1.0);
+    } else {
+        matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
+    }
+}
+
+/// out −= left · right.
+pub(crate) fn subtract_product(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+    if goes_by_tiles(left, right) {
+        tiles::add_product(out, left, right, -1.0);
+    } else {
+        matmul(out, Accum::Add, left, right, -1.0, Par::Seq);
+    }
+}
+
+/// Thin ones are not worth packing.
+fn goes_by_tiles(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> bool {
+    cfg!(target_arch = "wasm32") && left.nrows().min(left.ncols()).min(right.ncols()) >= LEAST_SIDE
+}
+
+/// The lower triangle of matrixᵀ · matrix, for little more than half of the product; what is above it means nothing.
+pub fn lower_square(matrix: MatRef<'_, f64>) -> Mat<f64> {
+    let size = matrix.ncols();
+    let mut out = Mat::zeros(size, size);
+    for first in (0..size).step_by(TRIANGLE_WIDTH) {
+        let (rows, width) = (size - first, TRIANGLE_WIDTH.min(size - first));
+        let right = matrix.subcols(first, width);
+        product_into(out.as_mut().submatrix_mut(first, first, rows, width), matrix.subcols(first, rows).transpose(), right);
+    }
+    out
+}
+
+/// The columns with these numbers, in their order.
+pub fn columns(matrix: MatRef<'_, f64>, numbers: &[usize]) -> Mat<f64> {
+    let mut out = Mat::zeros(matrix.nrows(), numbers.len());
+    for (mut column, number) in out.col_iter_mut().zip(numbers) {
+        column.copy_from(matrix.col(*number));
+    }
+    out
 }
 
 /// The largest absolute entry; 0 of an empty matrix.
 pub fn largest(matrix: MatRef<'_, f64>) -> f64 {
-    matrix.col_iter().flat_map(ColRef::iter).fold(0.0, |largest, entry| entry.abs().max(largest))
+    matrix.col_iter().flat_map(ColRef::iter).fold(0.0, |largest, entry| if entry.abs() > largest { entry.abs() } else { largest })
 }
 
 /// The root of the sum of squares of all entries, which are neither so large nor so small that their squares are lost.
@@ -83,13 +135,18 @@ mod tests {
 
     use super::*;
 
-    /// Entries from −½ to ½.
-    pub(crate) fn random_symmetric(size: usize) -> Mat<f64> {
+    /// From −½ to ½.
+    pub(crate) fn numbers() -> impl FnMut() -> f64 {
         let mut state = 1_u64;
-        let mut next = || {
+        move || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        };
+        }
+    }
+
+    /// Entries from −½ to ½.
+    pub(crate) fn random_symmetric(size: usize) -> Mat<f64> {
+        let mut next = numbers();
         symmetric_part(Mat::from_fn(size, size, |_, _| next()).as_ref())
     }
 

@@ -73,7 +73,10 @@ fn eigenvalues_on_the_way_start_and_end_as_those_of_the_keyframes() {
     assert_eq!(between.len(), 5);
     for (at, keyframe) in [(0, 1), (4, 2)] {
         let expected = performer.eigenbasis(&scene, keyframe).expect("nine agents have modes");
-        assert_eq!(between[at], expected.eigenvalues());
+        // Alone and beside their vectors they are found in two ways: each is good to a small multiple of eps times the greatest.
+        for (found, expected) in between[at].iter().zip(expected.eigenvalues()) {
+            assert!((found - expected).abs() <= 8.0 * 9.0 * f64::EPSILON * between[at][8], "{found} {expected}");
+        }
     }
     for values in &between {
         assert!(values.is_sorted() && values[0] == 0.0);

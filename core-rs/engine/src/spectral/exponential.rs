@@ -5,8 +5,9 @@
 
 use faer::{Mat, MatRef};
 
+use super::eigenspaces::Eigenspaces;
 use super::planes::Planes;
-use eigenform_dense::{combination, product, symmetric_eigen};
+use eigenform_dense::{columns, lower_square, product, skew_part, symmetric_eigen};
 
 impl Planes {
     /// The planes of exp(`skew`), of a skew-symmetric matrix, in O(n³); its angles are not reduced to half turns.
@@ -14,18 +15,20 @@ impl Planes {
     /// The Cayley transform Q = (I + B)(I − B)⁻¹, B = skew/2, turns in the same planes by 2 atan(θ/2) < π, and needs no inverse: in
     /// eigenvectors v of `BᵀB` with value b², (1 + b²) Q v = (1 − b²) v + 2 B v.
     pub(crate) fn of_logarithm(skew: MatRef<'_, f64>) -> Self {
-        let half = combination(0.5, skew, 0.0, skew);
-        let eigen = symmetric_eigen(product(half.transpose(), half.as_ref()).as_ref());
-        let squares: Vec<f64> = eigen.values.iter().map(|value| value.max(0.0)).collect();
-        let mut image = product(half.as_ref(), eigen.vectors.as_ref());
-        for (column, square) in squares.iter().enumerate() {
-            let (along, across) = ((1.0 - square) / (1.0 + square), 2.0 / (1.0 + square));
-            for (entry, own) in image.col_mut(column).iter_mut().zip(eigen.vectors.col(column).iter()) {
+        let eigen = symmetric_eigen(lower_square(skew).as_ref());
+        let squares: Vec<f64> = eigen.values.iter().map(|value| 0.25 * value.max(0.0)).collect();
+        let negative_cosines: Vec<f64> = squares.iter().map(|square| (square - 1.0) / (1.0 + square)).collect();
+        let spaces = Eigenspaces::new(&negative_cosines, eigen.vectors);
+        let leading = spaces.leading();
+        let mut image = product(skew, leading.as_ref());
+        for (column, leader) in spaces.leaders().into_iter().enumerate() {
+            let square = squares[leader];
+            let (along, across) = ((1.0 - square) / (1.0 + square), 1.0 / (1.0 + square));
+            for (entry, own) in image.col_mut(column).iter_mut().zip(leading.col(column).iter()) {
                 *entry = along * own + across * *entry;
             }
         }
-        let negative_cosines: Vec<f64> = squares.iter().map(|square| (square - 1.0) / (1.0 + square)).collect();
-        let cayley = Self::within(&negative_cosines, eigen.vectors.as_ref(), image.as_ref());
+        let cayley = Self::within(&spaces, image.as_ref());
         let angles = cayley.angles().iter().map(|angle| 2.0 * (0.5 * angle).tan()).collect();
         Self::with_angles(cayley.basis().to_owned(), angles)
     }
@@ -55,14 +58,17 @@ impl Planes {
         self.angles().iter().map(|angle| angle.abs()).fold(0.0, f64::max)
     }
 
-    /// The skew-symmetric K with exp(K) = the rotation, one product.
+    /// The skew-symmetric K with exp(K) = the rotation, half a product.
     pub(crate) fn logarithm(&self) -> Mat<f64> {
-        let (basis, turning) = (self.basis(), 2 * self.angles().len());
-        let quarter = Mat::from_fn(basis.nrows(), turning, |row, column| {
-            let angle = self.angles()[column / 2];
-            if column % 2 == 0 { angle * basis[(row, column + 1)] } else { -angle * basis[(row, column - 1)] }
-        });
-        product(quarter.as_ref(), basis.subcols(0, turning).transpose())
+        let basis = self.basis();
+        let starts = self.angles().iter().enumerate().map(|(plane, _)| 2 * plane);
+        // K = Σ θ (w vᵀ − v wᵀ) is twice the skew part of Σ θ w vᵀ.
+        let mut turned = columns(basis, &starts.clone().map(|start| start + 1).collect::<Vec<_>>());
+        for (mut column, angle) in turned.col_iter_mut().zip(self.angles()) {
+            column *= faer::Scale(2.0 * angle);
+        }
+        let from = columns(basis, &starts.collect::<Vec<_>>());
+        skew_part(product(turned.as_ref(), from.transpose()).as_ref())
     }
 
     /// The rotation to the power `power` as a matrix, one product.

@@ -41,6 +41,15 @@ pub(super) struct Blocks {
     pub(super) blocks: Vec<Block>,
 }
 
+/// Splits two dimensions of one cosine, of which the first turns toward the second with this cosine and sine: the second does what
+/// the first does.
+pub(super) fn turning(cosine: f64, sine: f64) -> Blocks {
+    if sine.abs() <= NO_TURN {
+        return Blocks { basis: Mat::identity(2, 2), blocks: vec![line(cosine); 2] };
+    }
+    plane(cosine, sine)
+}
+
 /// Splits an orthogonal matrix given in a basis of eigenvectors of its symmetric part.
 pub(super) fn split(matrix: MatRef<'_, f64>) -> Blocks {
     let size = matrix.nrows();
@@ -49,7 +58,7 @@ pub(super) fn split(matrix: MatRef<'_, f64>) -> Blocks {
         return Blocks { basis: Mat::identity(size, size), blocks: (0..size).map(|k| line(matrix[(k, k)])).collect() };
     }
     if size == 2 {
-        return plane(matrix, skew[(1, 0)]);
+        return plane(f64::midpoint(matrix[(0, 0)], matrix[(1, 1)]), skew[(1, 0)]);
     }
     let cosine = (0..size).map(|k| matrix[(k, k)]).sum::<f64>() / size as f64;
     if 1.0 - cosine.abs() > FLAT_COSINE {
@@ -78,8 +87,7 @@ fn line(cosine: f64) -> Block {
 }
 
 /// Two dimensions: the basis is kept, its second direction reversed where the first turns away from it.
-fn plane(matrix: MatRef<'_, f64>, sine: f64) -> Blocks {
-    let cosine = f64::midpoint(matrix[(0, 0)], matrix[(1, 1)]);
+fn plane(cosine: f64, sine: f64) -> Blocks {
     let mut basis = Mat::identity(2, 2);
     basis[(1, 1)] = sine.signum();
     Blocks { basis, blocks: vec![Block::Plane(sine.abs().atan2(cosine))] }

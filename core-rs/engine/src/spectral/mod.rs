@@ -12,6 +12,7 @@ mod coefficients;
 mod courses;
 mod degenerate;
 mod eigenbasis;
+mod eigenspaces;
 mod exponential;
 mod invariant;
 mod matched;

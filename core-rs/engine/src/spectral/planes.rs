@@ -7,13 +7,9 @@ use std::f64::consts::PI;
 use faer::{Mat, MatRef};
 use glam::{DVec2, DVec3};
 
-use super::invariant::{Block, split};
-use super::runs::runs;
-use eigenform_dense::{product, symmetric_eigen, symmetric_part};
-
-/// Cosines nearer than this are taken together: the symmetric part cannot tell their planes apart (round-off is eps over the
-/// gap), the skew part can.
-const EQUAL_COSINES: f64 = 1e-8;
+use super::eigenspaces::Eigenspaces;
+use super::invariant::Block;
+use eigenform_dense::{columns, product, symmetric_eigen, symmetric_part};
 
 /// A rotation Q = Z Θ Zᵀ: Z orthogonal, Θ turning pairs of coordinates.
 #[derive(Clone, Debug)]
@@ -32,26 +28,22 @@ impl Planes {
     /// When the determinant is −1: a bug, the matching makes it +1.
     pub(crate) fn of(rotation: MatRef<'_, f64>) -> Self {
         let eigen = symmetric_eigen(symmetric_part(rotation).as_ref());
-        let image = product(rotation, eigen.vectors.as_ref());
-        Self::within(&eigen.values, eigen.vectors.as_ref(), image.as_ref())
+        let spaces = Eigenspaces::new(&eigen.values, eigen.vectors);
+        let image = product(rotation, spaces.leading().as_ref());
+        Self::within(&spaces, image.as_ref())
     }
 
-    /// From eigenvectors of the symmetric part and their image under the rotation. `values` ascend and are equal where the cosines are:
-    /// the cosines themselves or their negatives.
-    pub(super) fn within(values: &[f64], vectors: MatRef<'_, f64>, image: MatRef<'_, f64>) -> Self {
-        let size = vectors.nrows();
+    /// From the eigenspaces of the symmetric part and the image of their leaders under the rotation.
+    pub(super) fn within(spaces: &Eigenspaces, image: MatRef<'_, f64>) -> Self {
         let mut angles = Vec::new();
         let mut turning = Vec::new();
         let mut reversed = Vec::new();
         let mut fixed = Vec::new();
-        // Columns of `found` in the order of the runs; the lists say which are what.
-        let mut found = Mat::zeros(size, size);
-        for run in runs(values, EQUAL_COSINES) {
-            let own = vectors.subcols(run.start, run.len());
-            let restricted = product(own.transpose(), image.subcols(run.start, run.len()));
-            let parts = split(restricted.as_ref());
-            found.subcols_mut(run.start, run.len()).copy_from(product(own, parts.basis.as_ref()));
-            let mut column = run.start;
+        // Columns of `found` in the order of the spaces; the lists say which are what.
+        let mut found = Mat::zeros(spaces.dimension(), spaces.dimension());
+        let mut column = 0;
+        for parts in spaces.split(image) {
+            found.subcols_mut(column, parts.basis.ncols()).copy_from(&parts.basis);
             for block in parts.blocks {
                 match block {
                     Block::Fixed => fixed.push(column),
@@ -66,8 +58,8 @@ impl Planes {
         }
         assert!(reversed.len().is_multiple_of(2), "a rotation reverses an even number of directions");
         angles.extend(std::iter::repeat_n(PI, reversed.len() / 2));
-        let columns: Vec<usize> = turning.into_iter().chain(reversed).chain(fixed).collect();
-        Self { basis: Mat::from_fn(size, size, |row, column| found[(row, columns[column])]), angles }
+        let order: Vec<usize> = turning.into_iter().chain(reversed).chain(fixed).collect();
+        Self { basis: columns(found.as_ref(), &order), angles }
     }
 
     /// Z: columns 2j and 2j + 1 span plane j; the columns after the last plane stay where they are.
