@@ -53,3 +53,28 @@ test("both play in step, and the paper's pairs are at hand", async ({ studio, pa
   await page.keyboard.press("Escape");
   await expect(studio.dialog).toHaveCount(0);
 });
+
+test("one crowd under three costs: places are found for each way and taken over with it", async ({ studio, page }) => {
+  await studio.makeShow();
+  await studio.planned();
+  await studio.transitions.first().click();
+  const before = await studio.sceneFile();
+  await studio.inspector.getByRole("button", { name: "Compare side by side" }).click();
+  await page
+    .getByRole("combobox", { name: "What to compare" })
+    .selectOption("A crowd under three costs (crowds, figure 10)");
+  const way = (name: string) => studio.dialog.getByRole("group", { name, exact: true });
+  for (const [name, cost] of [
+    ["First", "least-effort"],
+    ["Second", "euclidean"],
+    ["Third", "manhattan"],
+  ] as const) {
+    await expect(way(name).getByRole("combobox", { name: "Assignment" })).toHaveValue(cost);
+  }
+  await way("Third").getByRole("button", { name: "Use third" }).click();
+  await expect(studio.dialog).toHaveCount(0);
+  const after = await studio.sceneFile();
+  expect(after.segments?.[0]).toMatchObject({ method: "crowd", assignment: { cost: "manhattan" } });
+  await studio.button("Undo").click();
+  expect(await studio.sceneFile()).toEqual(before);
+});

@@ -3,6 +3,9 @@ import type { AssignmentSpec } from "../scene";
 import type { Command } from "../store";
 import { takePlaces } from "./swap";
 
+/** Everybody keeps their place: where nobody has said anything yet. */
+export const FIRST_RECIPE: AssignmentSpec = { cost: "keep", lambda: 0.9, locks: [], keepGroups: false };
+
 /**
  * Who goes where in a transition: from its target on, every agent takes the place of `slots[agent]`.
  *

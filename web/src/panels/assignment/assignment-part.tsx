@@ -1,5 +1,6 @@
 import { useSignal } from "@preact/signals";
-import type { AssignmentSpec, Cost, Segment } from "../../document/scene";
+import { FIRST_RECIPE } from "../../document/commands/assign";
+import type { Cost, Segment } from "../../document/scene";
 import { Row } from "../controls/row";
 import { Select } from "../controls/select";
 import { Section } from "../inspector/section";
@@ -15,14 +16,11 @@ const COSTS: readonly { readonly value: Cost; readonly label: string }[] = [
   { value: "manhattan", label: "Manhattan" },
 ];
 
-/** Everybody keeps their place. */
-export const FIRST: AssignmentSpec = { cost: "keep", lambda: 0.9, locks: [], keepGroups: false };
-
 /** Who goes where in a transition: how it was found, and, once another way is chosen, what that would make of it. */
 export function AssignmentPart({ index, segment }: { index: number; segment: Segment }) {
   const { document, engine, playback } = useStudio();
   const trial = useSignal<AssignmentTrial | null>(null);
-  const recipe = trial.value?.question.value.recipe ?? segment.assignment ?? FIRST;
+  const recipe = trial.value?.question.value.recipe ?? segment.assignment ?? FIRST_RECIPE;
 
   function choose(cost: Cost): void {
     if (trial.value) {

@@ -1,5 +1,6 @@
 import type { TransitionOptions } from "../../document/commands/transitions";
-import type { Scene } from "../../document/scene";
+import { CROWD_DEFAULTS } from "../../document/generated";
+import type { Cost, Scene } from "../../document/scene";
 import { tieChoices } from "./side-ties";
 import { changed, type Side, type SideChange } from "./sides";
 
@@ -7,12 +8,23 @@ import { changed, type Side, type SideChange } from "./sides";
 export interface Preset {
   readonly id: string;
   readonly label: string;
-  readonly ways: readonly SideChange[];
+  readonly ways: readonly PresetWay[];
+}
+
+export interface PresetWay extends SideChange {
+  /** By what places are to be found; absent: they are as in the scene. */
+  readonly cost?: Cost;
 }
 
 const LINEAR: TransitionOptions = { method: "linear" };
 const POLAR: TransitionOptions = { method: "polar", alignment: "pca" };
 const SPECTRAL: TransitionOptions = { method: "spectral", order: "greedy", alignment: "pca", sharing: 0 };
+
+const CROWD: TransitionOptions = { method: "crowd" };
+const HEEDLESS: TransitionOptions = {
+  ...CROWD,
+  crowd: { ...CROWD_DEFAULTS, directionFeedback: false, speedFeedback: false },
+};
 
 const AVOIDING = [false, true] as const;
 
@@ -43,6 +55,21 @@ export function presetsFor(scene: Scene): readonly Preset[] {
       label: "One way, before and after avoidance",
       ways: AVOIDING.map((avoidance) => ({ options: { avoidance } })),
     },
+    {
+      id: "costs",
+      label: "A crowd under three costs (crowds, figure 10)",
+      ways: (["least-effort", "euclidean", "manhattan"] as const).map((cost) => ({ options: CROWD, cost })),
+    },
+    {
+      id: "feedback",
+      label: "With and without feedback (crowds, figure 12)",
+      ways: [CROWD, HEEDLESS].map((options) => ({ options, cost: "least-effort" })),
+    },
+    {
+      id: "orca",
+      label: "A crowd and ORCA (crowds, figure 14)",
+      ways: ([null, "orca"] as const).map((counterpart) => ({ options: CROWD, cost: "least-effort", counterpart })),
+    },
   ];
 }
 
@@ -50,7 +77,8 @@ export function presetsFor(scene: Scene): readonly Preset[] {
 export function sidesOf({ ways }: Preset, hand: readonly Side[]): readonly Side[] {
   return ways.flatMap((way, index) => {
     const side = hand[index % hand.length];
-    return side ? [changed({ ...side, ties: "own", counterpart: null }, way)] : [];
+    const { cost: _, ...change } = way;
+    return side ? [changed({ ...side, ties: "own", seating: null, counterpart: null }, change)] : [];
   });
 }
 

@@ -1,5 +1,6 @@
 import { computed, effect, signal } from "@preact/signals";
-import { useEffect, useMemo, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import type { Cost } from "../../document/scene";
 import type { SegmentReport } from "../../engine/api";
 import { createPlayback, type Playback } from "../../playback/playback";
 import { fitting, type Padding } from "../../stage/camera";
@@ -12,7 +13,8 @@ import { useStudio } from "../studio";
 import { CompareTransport } from "./compare-transport";
 import { measureRows } from "./measure-rows";
 import { MeasureTable } from "./measure-table";
-import { presetsFor, sidesOf } from "./presets";
+import { type Preset, presetsFor, sidesOf } from "./presets";
+import { createSeater, type Seating } from "./seating";
 import { SideColumn } from "./side-column";
 import { tieChoices } from "./side-ties";
 import { changed, commonStart, type Side, type SideChange, spanOf, takeOver, trialOf } from "./sides";
@@ -27,10 +29,13 @@ const SEVERAL = ["First", "Second", "Third", "Fourth"];
 
 /** All ways with one camera, one playhead, and a table of their numbers. */
 export function Sides({ first, onDone }: { first: readonly Side[]; onDone(): void }) {
-  const { document, messages } = useStudio();
+  const { document, engine, messages } = useStudio();
   const scene = document.scene.value;
   const [sides, setSides] = useState(first);
   const [preset, setPreset] = useState(OWN_CHOICE);
+  /** The one chosen last: places of an earlier one come too late. */
+  const latest = useRef<Preset | null>(null);
+  const seat = useMemo(() => createSeater(engine.findPlaces), [engine]);
   const presets = useMemo(() => presetsFor(scene), [scene]);
   const ties = useMemo(() => tieChoices(scene), [scene]);
   const isPair = sides.length === PAIR.length;
@@ -48,13 +53,35 @@ export function Sides({ first, onDone }: { first: readonly Side[]; onDone(): voi
 
   function change(which: (index: number) => boolean, by: SideChange): void {
     setPreset(OWN_CHOICE);
-    setSides(sides.map((side, index) => (which(index) ? changed(side, by) : side)));
+    setSides((now) => now.map((side, index) => (which(index) ? changed(side, by) : side)));
   }
 
-  function choose(id: string): void {
+  async function choose(id: string): Promise<void> {
     setPreset(id);
     const chosen = presets.find((candidate) => candidate.id === id);
-    if (chosen) setSides(sidesOf(chosen, first));
+    if (!chosen) return;
+    latest.current = chosen;
+    const next = sidesOf(chosen, first);
+    const costs = chosen.ways.map(({ cost }) => cost ?? "keep");
+    const seatings = await Promise.all(next.map((side, index) => seated(side, costs[index] ?? "keep")));
+    if (latest.current === chosen) setSides(next.map((side, index) => ({ ...side, seating: seatings[index] ?? null })));
+  }
+
+  /** As they are where none are found; why, is said. */
+  async function seated({ segment }: Side, cost: Cost): Promise<Seating | null> {
+    try {
+      return await seat(scene, segment, cost);
+    } catch (error) {
+      const text = error instanceof Error ? error.message : String(error);
+      messages.say({ tone: "problem", title: "No places were found.", text });
+      return null;
+    }
+  }
+
+  async function seatOne(side: Side, index: number, cost: Cost): Promise<void> {
+    const seating = await seated(side, cost);
+    setPreset(OWN_CHOICE);
+    setSides((now) => now.map((other, at) => (at === index ? { ...other, seating } : other)));
   }
 
   function use(side: Side, name: string): void {
@@ -80,6 +107,7 @@ export function Sides({ first, onDone }: { first: readonly Side[]; onDone(): voi
               view={view}
               report={report}
               onChange={(by) => change((other) => other === index, by)}
+              onSeat={(cost) => seatOne(side, index, cost)}
               onUse={() => use(side, name)}
             />
           );
@@ -93,7 +121,7 @@ export function Sides({ first, onDone }: { first: readonly Side[]; onDone(): voi
             { value: OWN_CHOICE, label: "Ways of your own" },
             ...presets.map(({ id, label }) => ({ value: id, label })),
           ]}
-          onChoose={choose}
+          onChoose={(id) => void choose(id)}
         />
         <Switch
           label="Avoid collisions"

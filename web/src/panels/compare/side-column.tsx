@@ -1,4 +1,5 @@
 import { type Signal, useSignalEffect } from "@preact/signals";
+import type { Cost } from "../../document/scene";
 import type { SegmentReport } from "../../engine/api";
 import type { Playback } from "../../playback/playback";
 import type { View } from "../../stage/view";
@@ -22,12 +23,13 @@ interface SideColumnProps {
   /** Where its numbers go; null while they are not known. */
   readonly report: Signal<SegmentReport | null>;
   onChange(change: SideChange): void;
+  onSeat(cost: Cost): Promise<void>;
   onUse(): void;
 }
 
 /** One way: how it is made, how it looks, and the button that takes it over. */
 export function SideColumn(props: SideColumnProps) {
-  const { name, side, start, ties, playback, view, report, onChange, onUse } = props;
+  const { name, side, start, ties, playback, view, report, onChange, onSeat, onUse } = props;
   const { document } = useStudio();
   const scene = document.scene.value;
   const trial = useTrial(side, start, playback.time);
@@ -44,6 +46,7 @@ export function SideColumn(props: SideColumnProps) {
         choice={planning.plan?.report.choice ?? side.spec.chosen}
         ties={ties}
         onChange={onChange}
+        onSeat={onSeat}
       />
       <SideStage trial={trial} playback={playback} view={view} />
       <div class="compare-foot">

@@ -1,11 +1,13 @@
+import { useState } from "preact/hooks";
 import type { TransitionOptions } from "../../document/commands/transitions";
-import type { Choice } from "../../document/scene";
+import type { Choice, Cost } from "../../document/scene";
 import type { Counterpart } from "../../engine/api";
 import { NumberBox } from "../controls/number-box";
 import { Select } from "../controls/select";
 import { AlignmentSelect, MethodSelect, OrderSelect } from "../inspector/option-selects";
 import { optionsShown, takenOver } from "../inspector/options-shown";
 import { SHARING } from "../inspector/quantities";
+import { COSTS } from "./run/run-words";
 import type { TieChoice } from "./side-ties";
 import type { Side, SideChange } from "./sides";
 
@@ -31,8 +33,11 @@ export function SideOptions(props: {
   /** Ties that make a difference here. */
   ties: readonly TieChoice[];
   onChange(change: SideChange): void;
+  /** Finds places by a cost. */
+  onSeat(cost: Cost): Promise<void>;
 }) {
-  const { side, choice, ties, onChange } = props;
+  const { side, choice, ties, onChange, onSeat } = props;
+  const [sought, setSought] = useState<Cost | null>(null);
   const { spec } = side;
   const shown = optionsShown(spec, choice);
   const isAuto = spec.method === "auto";
@@ -56,6 +61,16 @@ export function SideOptions(props: {
         value={side.counterpart ?? OWN}
         choices={KEPT_APART}
         onChoose={(way) => onChange({ counterpart: way === OWN ? null : way })}
+      />
+      <Select
+        label="Assignment"
+        value={sought ?? side.seating?.cost ?? "keep"}
+        choices={COSTS.map(({ cost, label }) => ({ value: cost, label }))}
+        isDisabled={sought !== null}
+        onChoose={(cost) => {
+          setSought(cost);
+          void onSeat(cost).finally(() => setSought(null));
+        }}
       />
       {ties.length > 1 && (
         <Select

@@ -123,3 +123,23 @@ test("the transition at hand is the selected one, else the one at the playhead, 
   expect(transitionAtHand(scene, { kind: "none" }, 8)).toBe(1);
   expect(transitionAtHand(scene, { kind: "none" }, 99)).toBe(2);
 });
+
+test("places that were found are tried, and taken over with the recipe they were found by", () => {
+  const two = updateTrack(show(), (track) => ({
+    ...track,
+    agents: [...track.agents, ...track.agents],
+    keyframes: track.keyframes.map((keyframe) => ({ ...keyframe, positions: keyframe.positions.add([[1, 1]]) })),
+  }));
+  const [side] = startingSides(two, [1, 1]) ?? [];
+  if (!side) throw new Error("the transition is there");
+  const seated = changed(side, { seating: { cost: "manhattan", slots: [1, 0] } });
+  const trial = trialOf(two, seated, commonStart(two, [1]));
+  const first = (scene: Scene, keyframe: number) => mainTrack(scene).keyframes[keyframe]?.positions.point(0);
+  expect(first(trial.scene, trial.segment)).toEqual(first(two, 1));
+  expect(first(trial.scene, trial.segment + 1)).toEqual([1, 1]);
+  expect(isInUse(two, seated)).toBe(false);
+  const taken = takeOver(seated).apply(two);
+  expect([1, 2, 3].map((keyframe) => first(taken, keyframe))).toEqual([first(two, 1), [1, 1], [1, 1]]);
+  expect(mainTrack(taken).segments[1]?.assignment?.cost).toBe("manhattan");
+  expect(isInUse(two, changed(side, { seating: { cost: "squared", slots: [0, 1] } }))).toBe(true);
+});

@@ -1,7 +1,10 @@
+import { assignPlaces } from "../../document/commands/assign";
+import { takePlaces } from "../../document/commands/swap";
 import { setTransition, type TransitionOptions } from "../../document/commands/transitions";
 import { mainTrack, type Scene, type Segment } from "../../document/scene";
 import type { Command } from "../../document/store";
 import type { Counterpart } from "../../engine/api";
+import { recipeOf, type Seating } from "./seating";
 import { type TieChoice, tiedScene } from "./side-ties";
 
 /** One of the ways to be compared: a transition of the scene, and what it is tried with. */
@@ -9,6 +12,8 @@ export interface Side {
   readonly segment: number;
   readonly spec: Segment;
   readonly ties: TieChoice;
+  /** Places found for everybody; null: as they are in the scene. */
+  readonly seating: Seating | null;
   /** What moves it in place of its method and avoidance; no scene has that. */
   readonly counterpart: Counterpart | null;
 }
@@ -17,6 +22,7 @@ export interface Side {
 export interface SideChange {
   readonly options?: TransitionOptions;
   readonly ties?: TieChoice;
+  readonly seating?: Seating | null;
   readonly counterpart?: Counterpart | null;
 }
 
@@ -46,8 +52,8 @@ export function commonStart(scene: Scene, segments: readonly number[]): number {
 }
 
 /** What is planned for one side: its transition with its formations and as many neighbors as have a say in it. */
-export function trialOf(whole: Scene, { segment, spec, ties }: Side, start: number): Trial {
-  const scene = tiedScene(whole, ties);
+export function trialOf(whole: Scene, { segment, spec, ties, seating }: Side, start: number): Trial {
+  const scene = tiedScene(seating ? takePlaces(segment + 1, seating.slots).apply(whole) : whole, ties);
   const track = mainTrack(scene);
   const [first, last] = windowOf(scene, segment);
   const shift = start - spanOf(scene, segment).start;
@@ -59,14 +65,22 @@ export function trialOf(whole: Scene, { segment, spec, ties }: Side, start: numb
 }
 
 /** A changed option is the person's own choice: what auto took before is forgotten. */
-export function changed(side: Side, { options, ties = side.ties, counterpart = side.counterpart }: SideChange): Side {
-  return { ...side, ties, counterpart, spec: options ? { ...side.spec, ...options, chosen: null } : side.spec };
+export function changed(side: Side, { options, ...change }: SideChange): Side {
+  return { ...side, ...change, spec: options ? { ...side.spec, ...options, chosen: null } : side.spec };
 }
 
-/** Takes a side over into the scene, its ties too. */
+/** Takes a side over into the scene, its ties and places too. */
 export function takeOver(side: Side): Command {
-  const { label, apply } = setTransition(side.segment, optionsOf(side));
-  return { label, apply: (scene) => apply(tiedScene(scene, side.ties)) };
+  const { segment, spec, ties, seating } = side;
+  const { label, apply } = setTransition(segment, optionsOf(side));
+  const seat = seating && assignPlaces(segment, seating.slots, recipeOf(spec, seating.cost));
+  return {
+    label,
+    apply(scene) {
+      const moved = apply(tiedScene(scene, ties));
+      return seat ? seat.apply(moved) : moved;
+    },
+  };
 }
 
 /** Everything a side says of its transition. */
@@ -80,6 +94,7 @@ export function isInUse(scene: Scene, side: Side): boolean {
   const own = mainTrack(scene).segments[side.segment];
   return (
     own !== undefined &&
+    (side.seating?.slots.every((slot, agent) => slot === agent) ?? true) &&
     tiedScene(scene, side.ties) === scene &&
     Object.entries(optionsOf(side)).every(([key, value]) => own[key as keyof Segment] === value)
   );

@@ -22,7 +22,7 @@ export function startingSides(scene: Scene, [left, right]: readonly [number, num
   const other =
     left === right ? ({ ...b, method: a.method === "linear" ? "spectral" : "linear", chosen: null } as const) : b;
   return [
-    { segment: left, spec: a, ties: "own", counterpart: null },
-    { segment: right, spec: other, ties: "own", counterpart: null },
+    { segment: left, spec: a, ties: "own", seating: null, counterpart: null },
+    { segment: right, spec: other, ties: "own", seating: null, counterpart: null },
   ];
 }

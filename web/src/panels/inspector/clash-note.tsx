@@ -1,4 +1,5 @@
 import { TriangleAlert } from "lucide";
+import { FIRST_RECIPE } from "../../document/commands/assign";
 import { takePlaces } from "../../document/commands/swap";
 import { obstacleLabel } from "../../document/obstacle";
 import { agentLabel, keyframeLabel } from "../../document/queries";
@@ -6,7 +7,6 @@ import { mainTrack, type Scene } from "../../document/scene";
 import { formatTime, lengthWithUnit } from "../../document/units";
 import type { Approach, Engine, KeyframeBreach, ObstacleApproach, SegmentReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
-import { FIRST } from "../assignment/assignment-part";
 import { useStudio } from "../studio";
 import { type NextStep, nextSteps } from "./next-steps";
 
@@ -82,7 +82,7 @@ async function nearestPlaces(scene: Scene, segment: number, engine: Engine): Pro
   const [from, to] = [keyframes[segment]?.positions, keyframes[segment + 1]?.positions];
   if (!from || !to) return null;
   if (scene.obstacles.length === 0) return engine.assign(from, to);
-  const recipe = { ...FIRST, cost: "squared" } as const;
+  const recipe = { ...FIRST_RECIPE, cost: "squared" } as const;
   const found = await engine.findPlaces(scene, { segment, recipe, isFlipped: false, isPredicted: false }, () => {});
   return found?.slots ?? null;
 }
