@@ -17,8 +17,9 @@ const MOMENTS: f64 = 30.0;
 /// Agents × moments of one step; some milliseconds.
 const MOVES_PER_STEP: usize = 20_000;
 
-/// Whoever is this near to the target has arrived, units: forces alone never end in a place.
-const ARRIVED: f64 = 0.25;
+/// Whoever is this near to the target has arrived, units: nearer than to the place of a neighbor. Forces alone never end in a place, and
+/// those of a subgroup pull its rim inward for good.
+const ARRIVED: f64 = 0.5;
 
 /// How long to wait for those who do not arrive, as a multiple of the guide's time.
 const PATIENCE: f64 = 4.0;
