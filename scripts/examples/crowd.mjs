@@ -43,16 +43,8 @@ export function crowdShow({ pictures, groupCount, seconds, ...scene }) {
   return show.toScene(pictures.slice(1).map(({ way }) => ({ ...CROWD, ...way })));
 }
 
-/** Agents that share neither direction nor speed: in these scenes they turn less and keep more of their distances. */
-export const WITHOUT_FEEDBACK = { directionFeedback: false, speedFeedback: false };
 /** Forces along straight ways, kept apart, and how it was found who goes where. */
-const CROWD = {
-  kind: "transition",
-  method: "crowd",
-  avoidance: true,
-  assignment: { cost: "squared" },
-  crowd: WITHOUT_FEEDBACK,
-};
+const CROWD = { kind: "transition", method: "crowd", avoidance: true, assignment: { cost: "squared" } };
 
 /** Places all over a drawing `width` meters wide, evenly. */
 export function spread(drawing, count, width) {

@@ -12,9 +12,9 @@ export function feedback() {
     seconds: 7,
     pictures: [
       { name: "Start", places: awl },
-      { name: "Without", places: goose },
+      { name: "Without", places: goose, way: { crowd: { directionFeedback: false, speedFeedback: false } } },
       { name: "Start again", places: awl, way: back },
-      { name: "With", places: goose, way: { crowd: {} } },
+      { name: "With", places: goose },
     ],
   });
 }

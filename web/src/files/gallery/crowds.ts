@@ -47,7 +47,7 @@ export const CROWDS: readonly ExampleCard[] = [
   {
     id: "feedback",
     title: "Feedback, off and on",
-    description: "Figure 12: sharing direction and speed with who is near; here agents turn less without it",
+    description: "Figure 12: sharing direction and speed with who is near, places tell less of directions",
     agentCount: 300,
     keyframeCount: 4,
     view: { kind: "compare", segments: [0, 2] },
