@@ -206,12 +206,12 @@ pub enum Error {
         /// The later of the two.
         place: String,
     },
-    /// An agent twice in one group.
-    #[error("agent {agent} is listed twice in this group; once is enough")]
+    /// An agent twice in one group, or twice absent.
+    #[error("agent {agent} is listed twice here; once is enough")]
     RepeatedMember {
         /// The agent.
         agent: u32,
-        /// The group's members.
+        /// Its list.
         place: String,
     },
     /// An agent in two groups, neither within the other.

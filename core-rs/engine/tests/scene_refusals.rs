@@ -167,7 +167,6 @@ fn locks_that_contradict_each_other_say_which() {
 fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
     let cases = [
         (with_field("recordings", "[@]"), "recordings", " ", "{}"),
-        (with_second(r#""time": 2, "absent": [@],"#), "keyframes[1].absent", "", "2"),
         // The paper prints its product of powers for the plane.
         (
             with(r#""join": "product","#).replace("[0, 1]", "[0, 1, @]").replace("[0, 0]", "[0, 0, 0]").replace("[1, 0]", "[1, 0, 0]"),
@@ -183,6 +182,18 @@ fn what_is_not_built_yet_is_refused_by_name_and_its_default_is_not() {
     }
     let error = read_json(&with_field("recordings", "[{}]")).unwrap_err();
     assert!(error.to_string().starts_with("[{}] is not supported yet; give []"), "{error}");
+}
+
+#[test]
+fn who_is_absent_is_an_agent_of_the_scene_and_named_once() {
+    let with_absent = |agents: &str| with_second(&format!(r#""time": 2, "absent": [{agents}],"#));
+    check(&with_absent("3"), "unknown-agent", "keyframes[1].absent[0]");
+    check(&with_absent("-1"), "out-of-range", "keyframes[1].absent[0]");
+    check(&with_absent("0.5"), "wrong-type", "keyframes[1].absent[0]");
+    check(&with_absent("2, 0, 2"), "repeated-member", "keyframes[1].absent");
+    let read = read_json(&with_absent("2, 0")).expect("an order is no matter");
+    assert_eq!(read.main_track().keyframes[1].absent, [0, 2]);
+    assert_eq!(read_json(&with_absent("0, 1, 2")).map(|_| ()), Ok(()), "a stage may be empty");
 }
 
 #[test]

@@ -15,7 +15,7 @@ export function updateKeyframe(scene: Scene, index: number, change: (keyframe: K
     const next = change(keyframe);
     if (next === keyframe) return track;
     const keyframes = track.keyframes.with(index, next);
-    const isMoved = next.positions !== keyframe.positions || next.adjacency !== keyframe.adjacency;
+    const isMoved = (["positions", "absent", "adjacency"] as const).some((part) => next[part] !== keyframe[part]);
     return {
       ...track,
       keyframes,

@@ -214,6 +214,10 @@ corner: boolean,
  */
 positions: Formation, 
 /**
+ * Who is not there while the others stand here, ascending: their positions are where they leave to and come from.
+ */
+absent: Array<number>, 
+/**
  * Replaces the scene's adjacency here.
  */
 adjacency: AdjacencySpec | null, };

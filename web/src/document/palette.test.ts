@@ -25,7 +25,7 @@ function scene(agents: Agent[], groups: Group[]): Scene {
     tracks: [
       {
         agents,
-        keyframes: [{ name: "", time: 0, hold: 0, corner: false, positions, adjacency: null }],
+        keyframes: [{ name: "", time: 0, hold: 0, corner: false, positions, absent: [], adjacency: null }],
         segments: [],
       },
     ],

@@ -10,7 +10,7 @@ export function areSame(a: Inputs | undefined, b: Inputs): boolean {
 
 export function tieInputs(scene: Scene, keyframe: number): Inputs {
   const at = mainTrack(scene).keyframes[keyframe];
-  return [at?.positions, at?.adjacency ?? scene.adjacency, scene.groups];
+  return [at?.positions, at?.absent, at?.adjacency ?? scene.adjacency, scene.groups];
 }
 
 /**

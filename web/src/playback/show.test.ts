@@ -6,7 +6,7 @@ import { SegmentMotion } from "./motion";
 import { eased, Show, showDuration } from "./show";
 
 function keyframe(time: number, hold: number, points: readonly Point[]): Keyframe {
-  return { name: "", time, hold, corner: false, positions: Formation.from(points), adjacency: null };
+  return { name: "", time, hold, corner: false, positions: Formation.from(points), absent: [], adjacency: null };
 }
 
 function segment(timing: Timing): Segment {
@@ -136,4 +136,18 @@ it.each([
   // A difference over such a step is off by half of it times the curvature, which is 6 at most.
   expect(at(step) / step).toBeCloseTo(startSpeed, 4);
   expect((1 - at(1 - step)) / step).toBeCloseTo(endSpeed, 4);
+});
+
+describe("who is absent", () => {
+  const gone: Track = {
+    ...track,
+    keyframes: track.keyframes.map((was, index) => ({ ...was, absent: index === 0 ? [0, 1] : [1] })),
+  };
+  it("is not there while the others stand, nor on the way between two such keyframes", () => {
+    const show = new Show(gone, []);
+    expect(show.absentAt(2)).toEqual([0, 1]);
+    expect(show.absentAt(5)).toEqual([1]);
+    expect(show.absentAt(7)).toEqual([1]);
+    expect(new Show(track, []).absentAt(5)).toEqual([]);
+  });
 });

@@ -1,3 +1,4 @@
+import { goneIn } from "../document/absence";
 import type { Join, Keyframe, Timing, Track } from "../document/scene";
 import { isStop } from "../document/stops";
 import type { SegmentMotion } from "./motion";
@@ -17,6 +18,8 @@ export class Show {
   /** Whether its agents have heights. */
   readonly isSpatial: boolean;
   private readonly motions: readonly (SegmentMotion | null)[];
+  /** By segment. */
+  private readonly gone: readonly (readonly number[])[];
 
   constructor(
     private readonly track: Track,
@@ -26,6 +29,7 @@ export class Show {
     this.agentCount = track.keyframes[0]?.positions.agentCount ?? 0;
     this.duration = showDuration(track);
     this.isSpatial = track.keyframes.some(({ positions }) => positions.heights !== null);
+    this.gone = track.segments.map((_, segment) => goneIn(track, segment));
     this.motions = track.segments.map((_, segment) => this.fitting(segment, motions[segment] ?? null));
   }
 
@@ -51,6 +55,12 @@ export class Show {
   /** The motion that `segment` is drawn from; null while it is blended. */
   motionOf(segment: number): SegmentMotion | null {
     return this.motions[segment] ?? null;
+  }
+
+  /** Who is not there at `time`, ascending. */
+  absentAt(time: number): readonly number[] {
+    const index = this.keyframeBefore(time);
+    return (this.isMoving(index, time) ? this.gone[index] : this.track.keyframes[index]?.absent) ?? [];
   }
 
   /** When `segment` starts and ends, scene seconds. */

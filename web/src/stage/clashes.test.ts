@@ -58,3 +58,12 @@ describe("clashes", () => {
     expect(distances).toEqual([...distances].sort((a, b) => a - b));
   });
 });
+
+it("who is gone is too near to nobody", () => {
+  const finder = new ClashFinder();
+  const row = Float32Array.from([0, 0, 0.1, 0, 0.2, 0]);
+  finder.find(row, 0.15, null, Uint8Array.from([0, 1, 0]));
+  expect(finder.count).toBe(0);
+  finder.find(row, 0.15, null, Uint8Array.from([0, 0, 1]));
+  expect(finder.found[0]).toMatchObject({ a: 0, b: 1 });
+});

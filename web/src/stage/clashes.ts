@@ -19,8 +19,16 @@ export class ClashFinder {
   count = 0;
   private order = new Uint32Array(0);
 
-  /** Looks through `places` (x, y an agent, meters; heights beside them in space) for pairs nearer than `minimum` meters. */
-  find(places: Float32Array, minimum: number, heights: Float32Array | null = null): void {
+  /**
+   * Looks through `places` (x, y an agent, meters; heights beside them in space) for pairs nearer than `minimum` meters; who is marked as
+   * gone is nobody's neighbor.
+   */
+  find(
+    places: Float32Array,
+    minimum: number,
+    heights: Float32Array | null = null,
+    isGone: Uint8Array | null = null,
+  ): void {
     this.count = 0;
     const agentCount = places.length / 2;
     if (minimum <= 0 || agentCount < 2) return;
@@ -28,6 +36,7 @@ export class ClashFinder {
     const limit = minimum * (1 - ROUNDING);
     for (let rank = 0; rank < agentCount; rank += 1) {
       const a = this.order[rank] ?? 0;
+      if (isGone?.[a]) continue;
       const x = places[2 * a] ?? 0;
       const y = places[2 * a + 1] ?? 0;
       for (let next = rank + 1; next < agentCount; next += 1) {
@@ -37,7 +46,7 @@ export class ClashFinder {
         const dy = (places[2 * b + 1] ?? 0) - y;
         const dz = heights ? (heights[b] ?? 0) - (heights[a] ?? 0) : 0;
         const distance = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        if (distance < limit) this.keep(Math.min(a, b), Math.max(a, b), distance);
+        if (distance < limit && !isGone?.[b]) this.keep(Math.min(a, b), Math.max(a, b), distance);
       }
     }
   }

@@ -22,7 +22,9 @@ function sceneOf(places: readonly Point[]): Scene {
     tracks: [
       {
         agents: [],
-        keyframes: [{ name: "", time: 0, hold: 0, corner: false, positions: Formation.from(places), adjacency: null }],
+        keyframes: [
+          { name: "", time: 0, hold: 0, corner: false, positions: Formation.from(places), absent: [], adjacency: null },
+        ],
         segments: [],
       },
     ],

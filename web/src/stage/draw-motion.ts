@@ -51,6 +51,8 @@ export function outlinedGroup(
 /** A good show has no clash to mark, and at first no group is pointed at. */
 const marks = later(() => import("./layers/clashes"));
 const inTheWay = later(() => import("./layers/obstacles"));
+/** Mostly everybody is there. */
+const absent = later(() => import("./layers/absent"));
 const edges = later(() => import("./layers/hull-edge"));
 /** Most shows are on the plane. */
 const heights = later(() => import("./layers/heights"));
@@ -122,10 +124,12 @@ export function createMotionPainter(
     context.clearRect(0, 0, frame.size.width, frame.size.height);
     turns.draw(context, frame, isSparing);
     drawAgents(context, frame);
+    // Under way there is nothing to see of them.
+    if (frame.isGone && picture.show.segmentAt(picture.time) === null) absent()?.drawAbsent(context, frame);
     if (layers.names) drawNames(context, frame);
     if (frame.heights && picture.areHeightsShown) heights()?.drawHeights(context, frame, scene.stage.units);
     if (scene.minimumDistance > 0) {
-      clashes.find(frame.places, scene.minimumDistance, frame.heights);
+      clashes.find(frame.places, scene.minimumDistance, frame.heights, frame.isGone);
       if (clashes.count > 0) marks()?.drawClashes(context, frame, clashes, scene.minimumDistance, scene.stage.units);
     }
   };

@@ -18,6 +18,8 @@ export class Frame {
   places: Float32Array<ArrayBufferLike> = new Float32Array(0);
   /** Meters: how high each agent is, now; null where the show is on the plane. */
   heights: Float32Array<ArrayBufferLike> | null = null;
+  /** By agent, 1 for who is not there now; null while everybody is. */
+  isGone: Uint8Array | null = null;
   /** CSS pixels on the stage: x, y an agent, now. */
   points: Float32Array<ArrayBufferLike> = new Float32Array(0);
 
@@ -46,6 +48,17 @@ export class Frame {
     if (this.points.length === 2 * agentCount) return;
     this.places = new Float32Array(2 * agentCount);
     this.points = new Float32Array(2 * agentCount);
+  }
+
+  /** Takes who is not there. */
+  miss(absent: readonly number[]): void {
+    if (absent.length === 0) {
+      this.isGone = null;
+      return;
+    }
+    if (this.isGone?.length !== this.agentCount) this.isGone = new Uint8Array(this.agentCount);
+    this.isGone.fill(0);
+    for (const agent of absent) this.isGone[agent] = 1;
   }
 
   /** Projects `places` to `points`. */

@@ -5,7 +5,7 @@ import { Show } from "../playback/show";
 import { Onion } from "./onion";
 
 function keyframe(time: number, hold: number): Keyframe {
-  return { name: "", time, hold, corner: false, positions: Formation.from([[time, 0]]), adjacency: null };
+  return { name: "", time, hold, corner: false, positions: Formation.from([[time, 0]]), absent: [], adjacency: null };
 }
 
 const track: Track = {

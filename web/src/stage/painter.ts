@@ -78,6 +78,7 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     frame.resize(track.agents.length, show.isSpatial);
     show.positionsInto(time, frame.places);
     if (frame.heights) show.heightsInto(time, frame.heights);
+    frame.miss(show.absentAt(time));
     frame.project();
   }
 

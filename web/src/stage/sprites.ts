@@ -41,7 +41,7 @@ export function createSprites(frame: Frame, halo: number): Sprites {
   return {
     fits: (next, nextHalo) =>
       next.cast === cast && next.radius === radius && next.density === density && nextHalo === halo,
-    stamp(context, { points, agentCount, size }) {
+    stamp(context, { points, agentCount, size, isGone }) {
       // In canvas pixels, so that every sprite lands on whole ones.
       context.save();
       context.setTransform(1, 0, 0, 1, 0, 0);
@@ -50,7 +50,7 @@ export function createSprites(frame: Frame, halo: number): Sprites {
       for (let agent = 0; agent < agentCount; agent += 1) {
         const x = (points[2 * agent] ?? 0) * density;
         const y = (points[2 * agent + 1] ?? 0) * density;
-        if (x < -reach || y < -reach || x > width + reach || y > height + reach) continue;
+        if (isGone?.[agent] || x < -reach || y < -reach || x > width + reach || y > height + reach) continue;
         const left = Math.floor(x);
         const top = Math.floor(y);
         const phase = Math.floor((y - top) * PHASES) * PHASES + Math.floor((x - left) * PHASES);

@@ -32,6 +32,11 @@ impl Deviation {
         Self { spline: Spline::new(times, is_clamped), agents, samples: kept, bends: OnceLock::new() }
     }
 
+    /// The same of agents that are `numbers` by their places now, ascending.
+    pub(crate) fn number(&mut self, numbers: &[u32]) {
+        self.agents.iter_mut().for_each(|agent| *agent = numbers[*agent as usize]);
+    }
+
     /// What it takes to keep, bytes.
     pub fn byte_count(&self) -> usize {
         2 * self.samples.axis_count() * size_of_val(self.samples.axis(0))

@@ -104,6 +104,20 @@ impl Motion {
         }
     }
 
+    /// The motion of some of its agents, in the order given.
+    #[must_use]
+    pub fn only(&self, agents: &[u32]) -> Self {
+        let mut plan = Vec::with_capacity(self.times.len() * agents.len());
+        let mut heights = self.heights.as_ref().map(|_| Vec::with_capacity(plan.capacity()));
+        for k in 0..self.times.len() {
+            plan.extend(agents.iter().map(|agent| self.sample(k)[*agent as usize]));
+            if let (Some(heights), Some(sample)) = (&mut heights, self.sample_heights(k)) {
+                heights.extend(agents.iter().map(|agent| sample[*agent as usize]));
+            }
+        }
+        Self::sampled(self.times.clone(), agents.len(), plan, heights)
+    }
+
     /// The mean of the median spacings at both ends, meters: at least a decimeter, since nobody is meant to stand nearer, and one
     /// meter for one agent alone.
     pub fn spacing(&self) -> f64 {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::avoid::outline;
+use super::cast::Cast;
 use super::counterpart::Aside;
 use super::levels::node_way;
 use super::travel::{Turnings, charted, travel};
@@ -46,6 +47,8 @@ pub(super) struct Brief {
     pub(super) seed: u32,
     /// What is asked beside the scene.
     pub(super) aside: Aside,
+    /// Whom it is of, where it is not of everybody.
+    pub(super) cast: Option<Arc<Cast>>,
 }
 
 /// A keyframe as a segment sees it.
@@ -134,12 +137,18 @@ impl Brief {
             obstacles: scene.obstacles.clone(),
             seed: scene.seed,
             aside: Aside::default(),
+            cast: None,
         }
     }
 
     /// The same as a comparison asks for it.
     pub(super) fn compared(self, aside: Aside) -> Self {
         Self { aside, ..self }
+    }
+
+    /// The same as a part of what everybody does.
+    pub(super) fn with_cast(self, cast: Option<Arc<Cast>>) -> Self {
+        Self { cast, ..self }
     }
 
     /// The keyframes that it depends on, by number in its scene, in order.
@@ -255,6 +264,7 @@ impl PartialEq for Brief {
             && meets(self) == meets(other)
             && numbers(self) == numbers(other)
             && self.aside == other.aside
+            && self.cast == other.cast
             && (!self.has_crowd() || have_same_bodies(&self.agents, &other.agents))
             && (!self.has_edits() || self.seed == other.seed)
             && (!self.knows_obstacles() || Arc::ptr_eq(&self.obstacles, &other.obstacles))

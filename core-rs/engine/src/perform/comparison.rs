@@ -237,7 +237,7 @@ impl Comparison {
 
 /// The whole time, if that was enough.
 fn time_of(performed: &Performed) -> Option<f64> {
-    let (motion, target) = (&performed.motion, &performed.target);
+    let (motion, target) = (performed.walked(), &performed.target);
     let last = motion.times().len() - 1;
     let near = ARRIVED * target.extent().max(1.0);
     let is_there = motion.places(last).iter().zip(target.places().iter()).all(|(at, due)| at.distance(due) <= near);

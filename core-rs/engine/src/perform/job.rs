@@ -151,11 +151,8 @@ impl SegmentJob {
         match &self.0 {
             Phase::Done(performed) => Some(&performed.motion),
             Phase::Work(work) => {
-                if let Stage::Measuring(attempt) = &work.stage {
-                    Some(&attempt.kept.motion)
-                } else {
-                    None
-                }
+                // Of some agents it is no motion of all.
+                if let (Stage::Measuring(attempt), None) = (&work.stage, &work.brief.cast) { Some(&attempt.kept.motion) } else { None }
             }
         }
     }
@@ -167,7 +164,10 @@ impl SegmentJob {
             Phase::Work(work) => work,
         };
         let Some(result) = work.step(performer)? else { return Ok(Step::Progress(work.progress())) };
-        let result = Arc::new(result);
+        let result = Arc::new(match &work.brief.cast {
+            None => result,
+            Some(cast) => cast.fill(result),
+        });
         let agent_count = result.motion.agent_count();
         let matrices = PLAN_MATRICES[usize::from(work.brief.stops() != [true, true])];
         let bytes = size_of_val(result.motion.positions())
@@ -386,6 +386,7 @@ impl Work {
             held_clearance,
             crowded: plan.crowded,
             target: target.formation.clone(),
+            there: None,
             deviation,
             transition: samples.transition,
             clock,

@@ -6,6 +6,7 @@
 mod auto;
 mod avoid;
 mod brief;
+mod cast;
 mod clock;
 #[cfg(feature = "comparison")]
 mod comparison;
@@ -47,6 +48,7 @@ pub use salvage::{Salvage, SalvageJob, SalvageReport, SalvageStep};
 pub use show::Performance;
 
 use brief::Brief;
+use cast::{Casting, among_all};
 use graphs::Graphs;
 use levels::Levels;
 use travel::Turnings;
@@ -62,6 +64,7 @@ pub struct Performer {
     tables: Tables,
     levels: Levels,
     turnings: Turnings,
+    casting: Casting,
     performed: Recent<Brief, Arc<Performed>>,
     groups: Arc<Vec<Group>>,
     obstacles: Arc<Vec<Obstacle>>,
@@ -77,6 +80,7 @@ impl Default for Performer {
             tables: Tables::default(),
             levels: Levels::default(),
             turnings: Turnings::default(),
+            casting: Casting::default(),
             performed: Recent::new(MOTION_BYTE_LIMIT),
             groups: Arc::default(),
             obstacles: Arc::default(),
@@ -103,27 +107,28 @@ impl Performer {
         scene
     }
 
-    /// The ties of a keyframe.
+    /// The ties of a keyframe; who is absent there has none.
     pub fn graph(&mut self, scene: &Scene, keyframe: usize) -> Result<Arc<Adjacency>, Error> {
-        self.graphs.of(scene, keyframe)
+        match self.casting.standing(scene, keyframe) {
+            None => self.graphs.of(scene, keyframe),
+            Some((part, there)) => Ok(Arc::new(among_all(&*self.graphs.of(&part, keyframe)?, &there, scene.main_track().agents.len()))),
+        }
     }
 
     /// Starts on segment `index`. `held`: by segment, what to use although it says `auto`; a neighbor's choice counts where segments
     /// meet with one velocity.
     pub fn begin(&mut self, scene: &Scene, index: usize, held: &[Option<Choice>]) -> SegmentJob {
-        self.begin_brief(scene, Brief::of(scene, index, held))
-    }
-
-    fn begin_brief(&mut self, scene: &Scene, brief: Brief) -> SegmentJob {
-        match self.performed.get(&brief) {
-            Some(known) => SegmentJob::done(known),
-            None => SegmentJob::new(scene.clone(), brief),
-        }
+        self.begin_compared(scene, index, held, Aside::default())
     }
 
     /// As [`Self::begin`], with the segment moved as scenes cannot ask for it.
     pub fn begin_compared(&mut self, scene: &Scene, index: usize, held: &[Option<Choice>], aside: Aside) -> SegmentJob {
-        self.begin_brief(scene, Brief::of(scene, index, held).compared(aside))
+        let (scene, cast) = self.casting.of(scene, index);
+        let brief = Brief::of(&scene, index, held).compared(aside).with_cast(cast);
+        match self.performed.get(&brief) {
+            Some(known) => SegmentJob::done(known),
+            None => SegmentJob::new(scene, brief),
+        }
     }
 
     /// The whole show, at once.

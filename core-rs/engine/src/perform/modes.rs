@@ -18,6 +18,7 @@ impl Performer {
 
     /// How alike the modes at both ends of segment `index` are: of the very bases that spectral turns into one another.
     pub fn mode_match(&mut self, scene: &Scene, index: usize) -> Result<ModeMatch, Error> {
+        let scene = &self.casting.of(scene, index).0;
         let chain = Chain::between(self.end(scene, index)?, self.end(scene, index + 1)?);
         let Segment::Transition(transition) = &scene.main_track().segments[index];
         let chart = charted(chain, std::slice::from_ref(&transition.path), &mut self.turnings);
@@ -27,6 +28,7 @@ impl Performer {
 
     /// Eigenvalues of the graph that runs straight from one end of segment `index` to the other, at t = 0, 1/steps, …, 1.
     pub fn eigenvalues_between(&mut self, scene: &Scene, index: usize, steps: usize) -> Result<Vec<Vec<f64>>, Error> {
+        let scene = &self.casting.of(scene, index).0;
         let [source, target] = [self.graph(scene, index)?, self.graph(scene, index + 1)?];
         Ok(eigenvalues_between(&source.laplacian(), &target.laplacian(), steps))
     }

@@ -1,5 +1,6 @@
 //! One segment as it is played, with the numbers to judge it.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::DVec2;
@@ -33,7 +34,10 @@ pub struct Performed {
     pub held_clearance: Option<Blocked>,
     /// What forces came to; none where the segment has none.
     pub crowded: Option<Box<Crowded>>,
+    /// Of those who are there.
     pub(super) target: Arc<Formation>,
+    /// Who that is, where it is not everybody.
+    pub(super) there: Option<Arc<Vec<u32>>>,
     pub(super) deviation: Option<Deviation>,
     pub(super) transition: Arc<dyn Transition>,
     pub(super) clock: Clock,
@@ -86,7 +90,15 @@ impl Performed {
 
     /// How the movement looks as a whole. It is found anew each time, and takes longer than all other numbers.
     pub fn movement(&self) -> (Movement, MovementCurves) {
-        movement(&self.motion, &self.target)
+        movement(&self.walked(), &self.target)
+    }
+
+    /// The motion of those who are there.
+    pub(super) fn walked(&self) -> Cow<'_, Motion> {
+        match &self.there {
+            None => Cow::Borrowed(&self.motion),
+            Some(there) => Cow::Owned(self.motion.only(there)),
+        }
     }
 
     /// Places at `times` (scene seconds within the segment), from the method itself and what keeps agents apart:

@@ -14,6 +14,7 @@ use serde::Serialize;
 use super::Performer;
 use super::avoid;
 use super::brief::Brief;
+use super::cast::Cast;
 use super::job::{SegmentJob, Step};
 use super::performed::Performed;
 use crate::choice::Join;
@@ -65,6 +66,7 @@ pub enum SalvageStep {
 /// The work on one segment.
 pub struct SalvageJob {
     scene: Scene,
+    cast: Option<Arc<Cast>>,
     index: usize,
     stage: Stage,
 }
@@ -80,7 +82,8 @@ enum Stage {
 impl Performer {
     /// Starts to let those spread out who are stuck in segment `index`.
     pub fn salvage(&mut self, scene: &Scene, index: usize) -> SalvageJob {
-        SalvageJob { scene: scene.clone(), index, stage: Stage::Performing(Vec::new(), None) }
+        let (scene, cast) = self.casting.of(scene, index);
+        SalvageJob { scene, cast, index, stage: Stage::Performing(Vec::new(), None) }
     }
 }
 
@@ -104,7 +107,11 @@ impl SalvageJob {
                 }
             },
             Stage::Keeping(mut keeping) => {
-                if let Some(salvage) = keeping.step(performer)? {
+                if let Some(mut salvage) = keeping.step(performer)? {
+                    if let Some(cast) = &self.cast {
+                        let keyframes = &self.scene.main_track().keyframes[self.index..];
+                        cast.fill_salvage(&mut salvage, [keyframes[0].time + keyframes[0].hold, keyframes[1].time]);
+                    }
                     return Ok(SalvageStep::Done(Some(Box::new(salvage))));
                 }
                 let done = PERFORMING_SHARE + SPREADING_SHARE;

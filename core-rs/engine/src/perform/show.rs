@@ -61,6 +61,18 @@ impl Performance {
         self.formation_at(time).positions().to_vec()
     }
 
+    /// Who is not there at `time`, ascending.
+    pub fn absent_at(&self, time: f64) -> Vec<u32> {
+        let keyframes = &self.scene.main_track().keyframes;
+        match self.moment(time) {
+            Moment::Standing(keyframe) => keyframes[keyframe].absent.clone(),
+            Moment::Moving(segment) => {
+                let [from, to] = [segment, segment + 1].map(|end| &keyframes[end].absent);
+                from.iter().copied().filter(|agent| to.binary_search(agent).is_ok()).collect()
+            }
+        }
+    }
+
     /// The time of every frame: f / frame rate up to the end of the last hold.
     pub fn frame_times(&self) -> impl Iterator<Item = f64> + use<> {
         let frame_rate = self.scene.frame_rate;

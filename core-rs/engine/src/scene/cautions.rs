@@ -56,7 +56,10 @@ fn covered(scene: &Scene) -> impl Iterator<Item = String> {
     let keyframes = scene.main_track().keyframes.iter().enumerate();
     keyframes.flat_map(|(index, keyframe)| {
         let plan = keyframe.positions.positions();
-        let within = move |shape: &ObstacleShape| -> Vec<usize> { (0..plan.len()).filter(|agent| shape.contains(plan[*agent])).collect() };
+        let is_there = |agent: usize| keyframe.absent.binary_search(&(agent as u32)).is_err();
+        let within = move |shape: &ObstacleShape| -> Vec<usize> {
+            (0..plan.len()).filter(|agent| is_there(*agent) && shape.contains(plan[*agent])).collect()
+        };
         let agents = scene.obstacles.iter().map(move |obstacle| within(&obstacle.shape)).enumerate();
         agents.filter(|(_, agents)| !agents.is_empty()).map(move |(obstacle, agents)| {
             let place = format!("keyframes[{index}].positions[{}]", agents[0]);

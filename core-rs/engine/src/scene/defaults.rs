@@ -54,7 +54,7 @@ impl Default for Agent {
 
 impl Default for Keyframe {
     fn default() -> Self {
-        Self { name: String::new(), time: 0.0, hold: 0.0, corner: false, positions: Arc::default(), adjacency: None }
+        Self { name: String::new(), time: 0.0, hold: 0.0, corner: false, positions: Arc::default(), absent: Vec::new(), adjacency: None }
     }
 }
 

@@ -206,6 +206,8 @@ pub struct Keyframe {
     #[cfg_attr(feature = "types", ts(type = "Formation"))]
     #[serde(serialize_with = "document::flat")]
     pub positions: Arc<Formation>,
+    /// Who is not there while the others stand here, ascending: their positions are where they leave to and come from.
+    pub absent: Vec<u32>,
     /// Replaces the scene's adjacency here.
     #[cfg_attr(feature = "types", ts(as = "Option<AdjacencySpec>"))]
     pub adjacency: Option<Arc<AdjacencySpec>>,

@@ -118,6 +118,7 @@ fn check_keyframe(keyframe: &Keyframe, place: Place) -> Result<(), Error> {
     length(&keyframe.name, limits::NAME_CHARACTERS, place.field("name"))?;
     within(keyframe.time, &limits::TIME, place.field("time"))?;
     within(keyframe.hold, &(0.0..=limits::TIME.end() - keyframe.time), place.field("hold"))?;
+    check_absent(&keyframe.absent, keyframe.positions.agent_count(), &place.field("absent"))?;
     let positions = place.field("positions");
     keyframe.positions.positions().iter().enumerate().try_for_each(|(agent, position)| {
         within(position.x, &limits::COORDINATE, positions.item(agent))?;
@@ -125,6 +126,19 @@ fn check_keyframe(keyframe: &Keyframe, place: Place) -> Result<(), Error> {
     })?;
     let heights = keyframe.positions.heights().unwrap_or_default();
     heights.iter().enumerate().try_for_each(|(agent, height)| within(*height, &limits::COORDINATE, positions.item(agent)))
+}
+
+/// Agents of the scene, each once; they ascend wherever they come from.
+fn check_absent(absent: &[u32], agent_count: usize, place: &Place) -> Result<(), Error> {
+    for (index, &agent) in absent.iter().enumerate() {
+        if agent as usize >= agent_count {
+            return Err(Error::UnknownAgent { agent, agent_count, place: place.item(index).to_string() });
+        }
+        if index > 0 && absent[index - 1] >= agent {
+            return Err(Error::RepeatedMember { agent, place: place.to_string() });
+        }
+    }
+    Ok(())
 }
 
 /// All on the plane or all in space.

@@ -151,18 +151,25 @@ fn agent() -> impl Strategy<Value = Agent> {
 
 fn keyframes(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strategy<Value = Vec<Keyframe>> {
     let times = vec((plain_or(4.0, 0.001..400.0), plain_or(0.0, 0.0..400.0)), keyframe_count);
-    let part = (name(), any::<bool>(), formation(counts.agents, is_spatial), option::weighted(0.2, adjacency(counts)));
+    let part =
+        (name(), any::<bool>(), formation(counts.agents, is_spatial), absent(counts.agents), option::weighted(0.2, adjacency(counts)));
     let parts = vec(part, keyframe_count);
     (plain_or(0.0, 0.0..400.0), times, parts).prop_map(|(start, times, parts)| {
         let mut time = start;
         let mut keyframes = Vec::new();
-        for ((gap, hold), (name, corner, formation, adjacency)) in times.into_iter().zip(parts) {
+        for ((gap, hold), (name, corner, formation, absent, adjacency)) in times.into_iter().zip(parts) {
             let (positions, adjacency) = (Arc::new(formation), adjacency.map(Arc::new));
-            keyframes.push(Keyframe { name, time, hold, corner, positions, adjacency });
+            keyframes.push(Keyframe { name, time, hold, corner, positions, absent, adjacency });
             time += hold + gap;
         }
         keyframes
     })
+}
+
+fn absent(agent_count: usize) -> impl Strategy<Value = Vec<u32>> {
+    let some =
+        vec(any::<bool>(), agent_count).prop_map(|gone| (0..).zip(gone).filter_map(|(agent, is_gone)| is_gone.then_some(agent)).collect());
+    prop_oneof![3 => Just(Vec::new()), 1 => some]
 }
 
 fn formation(agent_count: usize, is_spatial: bool) -> impl Strategy<Value = Formation> {

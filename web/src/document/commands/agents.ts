@@ -107,6 +107,7 @@ export function deleteAgents(agents: ReadonlySet<number>): Command {
         keyframes: was.keyframes.map((keyframe) => ({
           ...keyframe,
           positions: keyframe.positions.select(kept),
+          absent: keyframe.absent.flatMap((agent) => places.get(agent) ?? []),
           adjacency: keyframe.adjacency && dropFromAdjacency(keyframe.adjacency, places),
         })),
       }));

@@ -6,6 +6,7 @@ import { Formation, type Point } from "../formation";
 import { groupDepth, groupPaths, groupSet } from "../groups";
 import { type AdjacencySpec, type Group, mainTrack, type Scene } from "../scene";
 import type { Command } from "../store";
+import * as absence from "./absence";
 import * as agents from "./agents";
 import * as groups from "./groups";
 import * as keyframes from "./keyframes";
@@ -35,6 +36,10 @@ function problems(scene: Scene): string[] {
     );
     claim(keyframe.time >= 0 && keyframe.hold >= 0, `keyframe ${i} is at ${keyframe.time} for ${keyframe.hold}`);
     claim(!next || keyframe.time + keyframe.hold < next.time, `keyframe ${i} runs into the next`);
+    claim(
+      keyframe.absent.every((agent, k) => agent < count && (k === 0 || agent > (keyframe.absent[k - 1] ?? -1))),
+      `keyframe ${i} misses ${keyframe.absent} of ${count}`,
+    );
     if (keyframe.adjacency) found.push(...adjacencyProblems(keyframe.adjacency, count));
   }
   for (const [i, { path }] of track.segments.entries()) {
@@ -136,6 +141,7 @@ const command: fc.Arbitrary<Command> = fc.oneof(
   fc.tuple(path, fc.constantFrom(null, 0, 10, 1e7)).map((a) => groups.setGroupTieWeight(...a)),
   { weight: 2, arbitrary: seconds.map(addAsSeen) },
   at.map(keyframes.duplicateKeyframe),
+  fc.tuple(at, some, fc.boolean()).map((a) => absence.setAbsent(...a)),
   at.map(keyframes.deleteKeyframe),
   fc.tuple(at, fc.string()).map((a) => keyframes.renameKeyframe(...a)),
   fc.tuple(at, at).map((a) => keyframes.reorderKeyframe(...a)),

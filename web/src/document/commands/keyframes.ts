@@ -1,3 +1,4 @@
+import { goneIn } from "../absence";
 import { cutPath } from "../cut-path";
 import { DEFAULT_SEGMENT, keyframeAt } from "../defaults";
 import { chooseAgain, updateKeyframe, updateTrack } from "../edit";
@@ -102,7 +103,12 @@ function insert(scene: Scene, index: number, keyframe: Keyframe, taken: Choice |
     const parts = paths.slice(0, split ? 2 : 1).map((path) => ({ ...template, chosen, path, assignment: null }));
     return {
       ...track,
-      keyframes: track.keyframes.toSpliced(index, 0, keyframe),
+      // Who is not there on the way that is split is not there in the middle of it.
+      keyframes: track.keyframes.toSpliced(
+        index,
+        0,
+        split ? { ...keyframe, absent: goneIn(track, index - 1) } : keyframe,
+      ),
       segments: track.segments.toSpliced(index - 1, split ? 1 : 0, ...parts),
     };
   });

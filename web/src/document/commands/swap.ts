@@ -14,6 +14,11 @@ export function swapAgents(keyframe: number, a: number, b: number): Command {
   };
 }
 
+/** Whoever takes the place of an absent one is absent. */
+function takers(absent: readonly number[], order: readonly number[]): readonly number[] {
+  return absent.length === 0 ? absent : [...order.keys()].filter((agent) => absent.includes(order[agent] ?? -1));
+}
+
 /** @param slots by agent, whose place it takes from the keyframe on: each once, or nothing happens */
 export function takePlaces(keyframe: number, slots: ArrayLike<number>): Command {
   const order = Array.from(slots);
@@ -25,7 +30,9 @@ export function takePlaces(keyframe: number, slots: ArrayLike<number>): Command 
         if (!isBijection || !track.keyframes[keyframe] || order.every((slot, agent) => slot === agent)) return track;
         if (order.some((slot) => !track.agents[slot])) return track;
         const keyframes = track.keyframes.map((was, index) =>
-          index < keyframe ? was : { ...was, positions: was.positions.select(order) },
+          index < keyframe
+            ? was
+            : { ...was, positions: was.positions.select(order), absent: takers(was.absent, order) },
         );
         const touched = [...track.segments.keys()].filter((segment) => segment >= keyframe - 1);
         return { ...track, keyframes, segments: chooseAgain(track.segments, touched) };

@@ -1,7 +1,7 @@
 import { type ReadonlySignal, useComputed } from "@preact/signals";
 import type { ComponentChildren } from "preact";
 import { groupLabel } from "../../document/queries";
-import type { GroupPath } from "../../document/scene";
+import { type GroupPath, mainTrack } from "../../document/scene";
 import { useStudio } from "../studio";
 import { CellEditor, type EditEnd } from "./cell-editor";
 import { accepts, COLUMNS, type ColumnName, cellText } from "./columns";
@@ -28,6 +28,7 @@ export function AgentRow(props: {
   const { document, view } = useStudio();
   const { agent, path, editing, places } = props;
   const scene = document.scene.value;
+  const isAbsent = mainTrack(scene).keyframes[document.activeKeyframe.value]?.absent.includes(agent) ?? false;
   return (
     <tr
       class={props.isSelected ? "agent-row selected" : "agent-row"}
@@ -46,7 +47,10 @@ export function AgentRow(props: {
           {editing?.column === column ? (
             editor(column, editing)
           ) : column === "name" ? (
-            cellText(scene, [], agent, column)
+            <>
+              {cellText(scene, [], agent, column)}
+              {isAbsent && <span class="absent-mark">absent</span>}
+            </>
           ) : column === "group" ? (
             path && groupLabel(scene, path)
           ) : (

@@ -4,6 +4,7 @@ import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
 import { AgentDot } from "../agent-dot";
 import { ColorRow } from "../controls/color-row";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { BodyRows } from "./body-rows";
 import { Head } from "./head";
@@ -12,6 +13,8 @@ import { MembershipRow } from "./membership-row";
 import { NameRow } from "./name-row";
 import { PositionRow } from "./position-row";
 import { Section } from "./section";
+
+const AbsenceRow = lazily(() => import("../absence/absence-row").then((part) => part.AbsenceRow));
 
 /** One agent. */
 export function AgentPanel({ agent }: { agent: number }) {
@@ -42,6 +45,7 @@ export function AgentPanel({ agent }: { agent: number }) {
         <PositionRow agents={agents} label="Position" />
         <HeightRow agents={agents} />
         <BodyRows agents={agents} />
+        <AbsenceRow agents={agents} />
         <ColorRow
           label="Color"
           color={itself.color}

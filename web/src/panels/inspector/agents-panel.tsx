@@ -4,6 +4,7 @@ import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
 import { AgentDot } from "../agent-dot";
 import { ColorRow } from "../controls/color-row";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { BodyRows } from "./body-rows";
 import { Head } from "./head";
@@ -11,6 +12,8 @@ import { HeightRow } from "./height-row";
 import { MembershipRow } from "./membership-row";
 import { PositionRow } from "./position-row";
 import { Section } from "./section";
+
+const AbsenceRow = lazily(() => import("../absence/absence-row").then((part) => part.AbsenceRow));
 
 /** Several agents at once. */
 export function AgentsPanel({ agents }: { agents: ReadonlySet<number> }) {
@@ -35,6 +38,7 @@ export function AgentsPanel({ agents }: { agents: ReadonlySet<number> }) {
         <PositionRow agents={agents} label="Center" />
         <HeightRow agents={agents} />
         <BodyRows agents={agents} />
+        <AbsenceRow agents={agents} />
         <ColorRow
           label="Color"
           color={own.size === 1 ? firstOwn : ""}

@@ -11,6 +11,7 @@ import { WordAction } from "../action-button";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
 import { Switch } from "../controls/switch";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { BreachNote } from "./breach-note";
 import { Head } from "./head";
@@ -18,6 +19,8 @@ import { NameRow } from "./name-row";
 import { instantQuantity } from "./quantities";
 import { Section } from "./section";
 import { SpanRow } from "./span-row";
+
+const AbsenceNote = lazily(() => import("../absence/absence-note").then((part) => part.AbsenceNote));
 
 /** One formation of the show: when it is reached, how long it stands, who belongs together in it. */
 export function KeyframePanel({ index }: { index: number }) {
@@ -67,6 +70,7 @@ export function KeyframePanel({ index }: { index: number }) {
           isOn={keyframe.adjacency !== null}
           onToggle={(isOn) => document.perform(isOn ? giveOwnTies(index) : dropOwnTies(index))}
         />
+        {keyframe.absent.length > 0 && <AbsenceNote index={index} />}
         <BreachNote index={index} />
         <div class="inspector-buttons">
           <WordAction id="modes" class="button">

@@ -10,7 +10,8 @@ export function createAgentsLayer(): (context: CanvasRenderingContext2D, frame: 
   let sprites: Sprites | null = null;
   return (context, frame) => {
     if (frame.agentCount <= MANY) {
-      for (let agent = 0; agent < frame.agentCount; agent += 1) drawAgent(context, frame, agent);
+      for (let agent = 0; agent < frame.agentCount; agent += 1)
+        if (!frame.isGone?.[agent]) drawAgent(context, frame, agent);
       return;
     }
     const halo = haloWidth(frame.radius);

@@ -78,7 +78,7 @@ export function traceHull(context: CanvasRenderingContext2D, frame: Frame, shape
     const agent = shape.agents[k] ?? 0;
     const x = points[2 * agent] ?? 0;
     const y = points[2 * agent + 1] ?? 0;
-    if (!frame.sees(x, y, half)) continue;
+    if (frame.isGone?.[agent] || !frame.sees(x, y, half)) continue;
     traceDisc(context, x, y, half);
   }
   for (let k = 0; k + 1 < shape.pairs.length; k += 2) {

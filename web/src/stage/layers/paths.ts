@@ -23,7 +23,10 @@ export function drawPathsToCome(
   for (const { color, agents } of frame.cast.paints) {
     context.strokeStyle = color;
     context.beginPath();
-    for (let k = 0; k < agents.length; k += 1) tracePath(context, frame, motion, agents[k] ?? 0);
+    for (let k = 0; k < agents.length; k += 1) {
+      const agent = agents[k] ?? 0;
+      if (!frame.isGone?.[agent]) tracePath(context, frame, motion, agent);
+    }
     context.stroke();
   }
   endDashes(context);
@@ -47,7 +50,10 @@ export function drawFormerPaths(
   for (const { color, agents } of frame.cast.paints) {
     context.strokeStyle = color;
     context.beginPath();
-    for (let k = 0; k < agents.length; k += 1) traceFormer(context, frame, motion, from, to, agents[k] ?? 0);
+    for (let k = 0; k < agents.length; k += 1) {
+      const agent = agents[k] ?? 0;
+      if (!frame.isGone?.[agent]) traceFormer(context, frame, motion, from, to, agent);
+    }
     context.stroke();
   }
   endDashes(context);
@@ -64,6 +70,7 @@ export function drawStraightPaths(context: CanvasRenderingContext2D, frame: Fram
     context.beginPath();
     for (let k = 0; k < agents.length; k += 1) {
       const agent = agents[k] ?? 0;
+      if (frame.isGone?.[agent]) continue;
       context.moveTo(frame.screenX(xy[2 * agent] ?? 0), frame.screenY(xy[2 * agent + 1] ?? 0));
       context.lineTo(points[2 * agent] ?? 0, points[2 * agent + 1] ?? 0);
     }

@@ -65,7 +65,7 @@ export function createTrailsLayer(): DrawTrails {
       // What does not leave its disc is not seen, nor what lies wholly outside.
       const middle = 2 * (places >> 1);
       const isInSight = frame.sees(line[middle] ?? 0, line[middle + 1] ?? 0, travel + radius);
-      isSeen[agent] = travel > radius && isInSight ? 1 : 0;
+      isSeen[agent] = travel > radius && isInSight && !frame.isGone?.[agent] ? 1 : 0;
       if (isSeen[agent] === 1) {
         outlineInto(line, places, look.tailWidth, look.headWidth, outlines, 4 * agent * places);
       }

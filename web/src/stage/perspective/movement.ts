@@ -15,6 +15,10 @@ const STROLL = 0.05;
 /** No leg reaches farther, as a share of the height. */
 const LONGEST_REACH = 0.28;
 
+/** Who is not there is put so far away that nobody sees them, and apart from one another; meters. */
+const AWAY = 1e7;
+const GAP = 1e3;
+
 /** What is filled for the graphics card: see `Instances`. */
 export interface Poses {
   readonly place: Float32Array;
@@ -63,6 +67,7 @@ export class Movement {
     const earlier = Math.max(time - WINDOW, 0);
     const later = Math.min(time + WINDOW, show.duration);
     show.positionsInto(time, this.now);
+    for (const agent of show.absentAt(time)) this.now[2 * agent] = AWAY + GAP * agent;
     show.positionsInto(earlier, this.before);
     show.positionsInto(later, this.after);
     show.heightsInto(time, this.high);

@@ -11,6 +11,7 @@ use crate::assignment::{AssignmentSpec, DEFAULT_LAMBDA};
 use crate::choice::{Blend, Choice, DEFAULT_SHARING};
 use crate::error::{Counted, Error};
 use crate::formation::Formation;
+use crate::order;
 use crate::scene::normalize::{normalize_adjacency, normalize_groups};
 use crate::scene::place::Place;
 use crate::scene::validate::exactly;
@@ -256,13 +257,15 @@ impl Standing {
 
 fn keyframe(value: Value, standing: &mut Standing) -> Result<Keyframe, Error> {
     let fields = value.object(if standing.given.is_some() { STANDING_KEYFRAME } else { KEYFRAME })?;
-    fields.only("absent", &Only::NoEntries)?;
+    let mut absent = fields.list("absent", limits::AGENTS, Counted::Agents, |value| value.whole())?;
+    order::sort_by_key(&mut absent, |agent| u128::from(*agent));
     let keyframe = Keyframe {
         name: fields.string("name")?,
         time: fields.number("time", 0.0)?,
         hold: fields.number("hold", 0.0)?,
         corner: fields.flag("corner")?,
         positions: standing.formation(&fields)?,
+        absent,
         adjacency: fields.optional("adjacency", adjacency)?.map(Arc::new),
     };
     standing.spend(&keyframe, value.place)?;

@@ -143,6 +143,9 @@ fn keyframe(out: &mut Layout, keyframe: &Keyframe) {
         number(out, "hold", keyframe.hold, 0.0);
         flag(out, "corner", keyframe.corner);
         positions(out.key("positions"), &keyframe.positions);
+        if !keyframe.absent.is_empty() {
+            out.key("absent").list_line(&keyframe.absent, |out, agent| out.number(f64::from(*agent)));
+        }
         if let Some(own) = &keyframe.adjacency {
             adjacency(out.key("adjacency"), own);
         }

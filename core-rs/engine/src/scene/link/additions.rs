@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use super::absences::has_absences;
 use super::crowds::has_crowds;
 use super::document::{Document, Fields, METHODS};
 use super::graph::{Pairs, code_count};
@@ -35,6 +36,7 @@ pub fn has_additions(document: &Document) -> bool {
         || tracks[0].segments.iter().any(|segment| *segment != basics_of_segment(segment))
         || !document.heights.is_empty()
         || has_crowds(&tracks[0])
+        || has_absences(&tracks[0])
 }
 
 /// A segment as the first fields tell it.

@@ -3,6 +3,7 @@
 //! The payload is base64url of a head (how long the rest is, and its CRC-32) and the range-coded document.
 //! The head is what tells a cut link from a damaged one; everything else about a link is decided in `document`.
 
+mod absences;
 mod additions;
 mod crowds;
 mod document;

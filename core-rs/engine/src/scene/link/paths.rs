@@ -2,7 +2,8 @@
 //!
 //! It stands behind the closing flag of `recipes` and ends with a flag of its own. Here, too, the order is the format.
 
-use super::document::{Fields, newer};
+use super::absences::has_absences;
+use super::document::Fields;
 use super::graph::code_count;
 use super::models::{Integer, Number};
 use super::range::Bit;
@@ -10,9 +11,9 @@ use crate::error::Error;
 use crate::scene::{PathSpec, Segment, Track, limits};
 use glam::DVec3;
 
-/// Whether a track says any of it.
+/// Whether a track says any of it, or of what stands behind it.
 pub fn has_paths(track: &Track) -> bool {
-    track.segments.iter().any(|Segment::Transition(transition)| transition.path.is_some())
+    track.segments.iter().any(|Segment::Transition(transition)| transition.path.is_some()) || has_absences(track)
 }
 
 impl Fields<'_> {
@@ -26,10 +27,9 @@ impl Fields<'_> {
                 self.code_path((&mut counts, &mut coordinates), path)?;
             }
         }
-        // Set by a later version that has more to say.
-        let mut has_more = false;
+        let mut has_more = has_absences(track);
         self.coder.bit(&mut Bit::likely(false), &mut has_more);
-        if has_more { Err(newer()) } else { Ok(()) }
+        if has_more { self.code_absences(track) } else { Ok(()) }
     }
 
     /// Every digit of every point: a path has few, and a link must not bend it.
