@@ -46,7 +46,7 @@ function runs(count: number, work: () => number): number[] {
 }
 
 function opened(text: string): Scene {
-  return sceneFrom((JSON.parse(new Engine().open(text)) as { scene: string }).scene);
+  return sceneFrom((JSON.parse(new Engine().open(text) ?? "null") as { scene: string }).scene);
 }
 
 /** The middle keyframe of three is strewn anew, until both motions beside it are there. */

@@ -81,6 +81,17 @@ const RECIPE: &str = r#"{
   ]
 }"#;
 
+/// What was added behind further flags: paths, on the plane and climbing, and who is absent.
+const TRAVELED: &str = r#"{
+  "format": "eigenform", "version": 1,
+  "keyframes": [
+    { "positions": [[0, 0, 1], [2, 0, 3.5], [4, 1, -2]], "absent": [0, 2] },
+    { "time": 4, "positions": [[5, 5, 1], [-5, 5, 3.5], [-5, -5, 0]], "absent": [0, 2] },
+    { "time": 8, "positions": [[0, 1, 2], [2, 1, 2], [4, 2, 2]], "absent": [1] }
+  ],
+  "segments": [{ "path": [[0, 0], [10, 0.25], [0.1234567890123, 20]] }, { "path": [[0, 0, 0], [1, 2, 3]] }]
+}"#;
+
 /// The scene has this link, and the link is that of the scene it opens.
 fn check(scene: &str, precision: Precision, link: &str) {
     let scene = read_json(scene).expect("a scene");
@@ -133,4 +144,12 @@ fn so_do_those_of_who_goes_where() {
     check(RECIPE, Precision::Exact, link);
     check(RECIPE, Precision::Short, link);
     assert_eq!(decode(link), read_json(RECIPE));
+}
+
+#[test]
+fn so_do_those_with_paths_and_absences() {
+    let link = "#s=1.QHnXyYtGgsjxH8PRaAuYk2w_RdzhKI1iOcOkN2xrRcvV1cJ2I9jX60wmVxZXzNyREWQpA4NskxB1ctLH-2nUOJ-ggqYK";
+    check(TRAVELED, Precision::Exact, link);
+    check(TRAVELED, Precision::Short, link);
+    assert_eq!(decode(link), read_json(TRAVELED));
 }

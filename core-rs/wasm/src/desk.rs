@@ -7,7 +7,7 @@ use eigenform::choice::Choice;
 use eigenform::error::Error;
 use eigenform::formation::Formation;
 use eigenform::perform::{Aside, Counterpart, Performed, Performer, SegmentJob};
-use eigenform::scene::{self, Scene, Source};
+use eigenform::scene::{self, Opened, Scene, Source};
 use eigenform::text;
 use glam::DVec2;
 use serde_json::json;
@@ -54,19 +54,18 @@ pub fn scene(rest: &str, formations: Vec<Arc<Formation>>) -> Result<Scene, Refus
     Ok(scene::document::read(rest, formations)?)
 }
 
-pub fn open(text: &str) -> Result<String, Refusal> {
-    let opened = scene::open(text)?;
+pub fn open(text: &str) -> Result<Option<String>, Refusal> {
+    scene::open_own(text).map(|opened| Ok(told(&opened?))).transpose()
+}
+
+/// A scene that was opened: JSON `{scene, source, notes}`.
+pub fn told(opened: &Opened) -> String {
     let source = match opened.source {
         Source::Scene => "scene",
         Source::Csv => "csv",
         Source::Link => "link",
     };
-    Ok(encode(&json!({ "scene": scene::document::write(&opened.scene), "source": source, "notes": opened.notes })))
-}
-
-pub fn keyframes(scene: &Scene) -> String {
-    let written = scene::write_csv(scene);
-    encode(&json!({ "text": written.text, "notes": written.notes }))
+    encode(&json!({ "scene": scene::document::write(&opened.scene), "source": source, "notes": opened.notes }))
 }
 
 pub fn link(scene: &Scene, is_short: bool) -> String {

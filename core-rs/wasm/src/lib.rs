@@ -42,8 +42,8 @@ impl Engine {
         Self::default()
     }
 
-    /// Any text a person brings: scene JSON, keyframe CSV or link. Answers JSON `{scene, source, notes}`.
-    pub fn open(&self, text: &str) -> Result<String, Refusal> {
+    /// Scene JSON or a link: answers JSON `{scene, source, notes}`. Nothing for any other text, which is the workshop's.
+    pub fn open(&self, text: &str) -> Result<Option<String>, Refusal> {
         desk::open(text)
     }
 
@@ -145,11 +145,6 @@ impl Engine {
     /// The scene at hand as a file.
     pub fn write_scene(&self) -> String {
         eigenform::scene::write_json(at_hand(self.scene.as_ref()))
-    }
-
-    /// The scene at hand as keyframe CSV: JSON `{text, notes}`.
-    pub fn write_keyframes(&self) -> String {
-        desk::keyframes(at_hand(self.scene.as_ref()))
     }
 
     /// The whole motion as `csv` or `json`.

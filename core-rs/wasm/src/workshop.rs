@@ -13,7 +13,7 @@ use glam::DVec2;
 use serde_json::json;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use super::desk::{Refusal, encode};
+use super::desk::{Refusal, encode, told};
 use super::{Engine, at_hand};
 
 /// What it keeps from call to call.
@@ -35,6 +35,16 @@ impl Workshop {
 
 #[wasm_bindgen]
 impl Engine {
+    /// Any text a person brings: scene JSON, keyframe CSV or link. Answers JSON `{scene, source, notes}`.
+    pub fn open_any(&self, text: &str) -> Result<String, Refusal> {
+        any(text)
+    }
+
+    /// The scene at hand as keyframe CSV: JSON `{text, notes}`.
+    pub fn write_keyframes(&self) -> String {
+        keyframes(at_hand(self.scene.as_ref()))
+    }
+
     /// A recording's text: motion CSV, or the text of `JuPedSim` and `PedPy`. Answers JSON `{frameRate, frameCount, agents, notes}`.
     pub fn open_recording(&mut self, text: &str) -> Result<String, Refusal> {
         let recording = recording(text)?;
@@ -134,6 +144,15 @@ impl Engine {
     pub fn errand_result(&mut self) -> String {
         self.workshop.errand.take().expect("an errand is done before it is read").result()
     }
+}
+
+fn any(text: &str) -> Result<String, Refusal> {
+    Ok(told(&scene::open(text)?))
+}
+
+fn keyframes(scene: &Scene) -> String {
+    let written = scene::write_csv(scene);
+    encode(&json!({ "text": written.text, "notes": written.notes }))
 }
 
 fn recording(text: &str) -> Result<Recording, Refusal> {

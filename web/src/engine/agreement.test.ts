@@ -20,7 +20,7 @@ beforeAll(async () => {
 
 test.each(CASES)("the browser's engine moves everybody as the native one: $name", ({ scene: file, positions }) => {
   const engine = new Engine();
-  const opened = JSON.parse(engine.open(JSON.stringify(file))) as { readonly scene: string };
+  const opened = JSON.parse(engine.open(JSON.stringify(file)) ?? "null") as { readonly scene: string };
   const message = new Ledger().message(sceneFrom(opened.scene));
   for (const [id, xy, heights] of message.added) engine.put_formation(id, xy, heights);
   engine.set_scene(message.rest ?? undefined, Uint32Array.from(message.formations));

@@ -46,12 +46,15 @@ export function createEngine(crew: Crew): Engine {
   return {
     health: crew.health,
     async open(text) {
-      const opened = await ask(crew, "open", () => ({ text }));
+      const of = () => ({ text });
+      // Tables are read by the workshop: a first visit carries no reader of them.
+      const opened = (await ask(crew, "open", of)) ?? (await ask(workshop, "openAny", of));
       return { scene: sceneFrom(opened.scene), source: opened.source, notes: opened.notes };
     },
     openRecording: (text) => ask(workshop, "openRecording", () => ({ text })),
     writeScene: (scene: Scene) => ask(crew, "writeScene", (link) => ({ scene: link.ledger.message(scene) })),
-    writeKeyframes: (scene: Scene) => ask(crew, "writeKeyframes", (link) => ({ scene: link.ledger.message(scene) })),
+    writeKeyframes: (scene: Scene) =>
+      ask(workshop, "writeKeyframes", (link) => ({ scene: link.ledger.message(scene) })),
     writeMotion: (scene: Scene, format) =>
       ask(crew, "writeMotion", (link) => ({ scene: link.ledger.message(scene), format })),
     link: (scene: Scene, precision) =>

@@ -55,7 +55,9 @@ export interface AffinityRequest {
 
 /** Every question to a worker and its answer. */
 export interface Calls {
-  open: { ask: { readonly text: string }; answer: OpenedMessage };
+  /** Null for a text that is neither a scene file nor a link. */
+  open: { ask: { readonly text: string }; answer: OpenedMessage | null };
+  openAny: { ask: { readonly text: string }; answer: OpenedMessage };
   openRecording: { ask: { readonly text: string }; answer: RecordingData };
   writeScene: { ask: { readonly scene: SceneMessage }; answer: string };
   writeKeyframes: { ask: { readonly scene: SceneMessage }; answer: { text: string; notes: string[] } };

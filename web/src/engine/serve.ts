@@ -48,14 +48,10 @@ export type Handlers<Own extends Engine> = {
 
 /** What every engine answers. */
 export const basic: Handlers<Engine> & { cancel(ask: null, to: Engine): null } = {
-  open: ({ text }, to) => JSON.parse(to.open(text)) as OpenedMessage,
+  open: ({ text }, to) => JSON.parse(to.open(text) ?? "null") as OpenedMessage | null,
   writeScene: ({ scene }, to) => {
     take(scene, to);
     return to.write_scene();
-  },
-  writeKeyframes: ({ scene }, to) => {
-    take(scene, to);
-    return JSON.parse(to.write_keyframes()) as { text: string; notes: string[] };
   },
   writeMotion: ({ scene, format }, to) => {
     take(scene, to);

@@ -1,5 +1,6 @@
 import type { RecordingData } from "./api";
 import init, { Engine } from "./pkg/workshop.js";
+import type { OpenedMessage } from "./protocol";
 import { basic, type Handlers, pause, post, serve, take } from "./serve";
 
 /** An engine that answers what a first visit does not ask, too. */
@@ -12,6 +13,11 @@ let errand = 0;
 
 const handlers: Handlers<Engine> = {
   ...basic,
+  openAny: ({ text }, to) => JSON.parse(to.open_any(text)) as OpenedMessage,
+  writeKeyframes: ({ scene }, to) => {
+    take(scene, to);
+    return JSON.parse(to.write_keyframes()) as { text: string; notes: string[] };
+  },
   openRecording: ({ text }, to) => {
     const head = JSON.parse(to.open_recording(text)) as Omit<RecordingData, "xy">;
     return { ...head, xy: to.recording_positions() };

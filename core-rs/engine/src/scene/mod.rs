@@ -31,7 +31,7 @@ pub use csv::{Read, Written, read_csv, write_csv};
 pub use defaults::{DEFAULT_FRAME_RATE, DEFAULT_RADIUS, DEFAULT_TENSION};
 pub use groups::{group_levels, group_ties};
 pub use json::{read_json, write_json};
-pub use open::{Opened, Source, open, open_bytes};
+pub use open::{Opened, Source, open, open_bytes, open_own};
 pub use path::PathSpec;
 pub use validate::validate;
 

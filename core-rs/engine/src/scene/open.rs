@@ -42,6 +42,18 @@ pub fn open(text: &str) -> Result<Opened, Error> {
     }
 }
 
+/// The scene of what this program writes by itself, a scene file or a link, as [`open`] reads it; none for any other text, a table or
+/// a recording maybe, which is [`open`]'s: whoever opens nothing else carries no reader of tables.
+pub fn open_own(text: &str) -> Option<Result<Opened, Error>> {
+    let opened = |scene, source| Opened { scene, source, notes: Vec::new() };
+    match source(text) {
+        _ if text.len() > limits::FILE_BYTES => None,
+        Source::Scene => Some(read_json(text).map(|scene| opened(scene, Source::Scene))),
+        Source::Link if text.contains("#s=") => Some(link::decode(text).map(|scene| opened(scene, Source::Link))),
+        Source::Link | Source::Csv => None,
+    }
+}
+
 /// The scene of a file's bytes, which must be UTF-8 text.
 pub fn open_bytes(bytes: &[u8]) -> Result<Opened, Error> {
     if bytes.len() > limits::FILE_BYTES {
@@ -66,7 +78,7 @@ fn source(text: &str) -> Source {
 
 #[cfg(test)]
 mod tests {
-    use super::{Source, source};
+    use super::{Source, open, open_own, source};
 
     #[test]
     fn a_text_is_known_by_how_it_begins() {
@@ -85,6 +97,18 @@ mod tests {
         ];
         for (text, expected) in cases {
             assert_eq!(source(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_its_own_is_opened_as_anything_is() {
+        let own = ["{\"format\": \"eigenform\"}", "[]", "\u{feff} {\"format\": 1}", "#s=1.AAAA", "See (https://example.org/#s=1.AAAA)."];
+        for text in own {
+            assert_eq!(open_own(text), Some(open(text)), "{text}");
+        }
+        for other in ["", "keyframe,time,agent,group,x,y\n", "# framerate: 10\n1 0 0 0\n", "frame,time,agent,x,y\n", "https://example.org/"]
+        {
+            assert_eq!(open_own(other), None, "{other}");
         }
     }
 }
