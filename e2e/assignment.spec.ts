@@ -1,5 +1,29 @@
 import { expect, test } from "./fixtures/studio";
 
+/** Six below a wall that leaves a gap at its end, and six places above it. */
+function besideAWall(gap: number) {
+  const row = (y: number) => Array.from({ length: 6 }, (_, k) => [k - 2.5, y]);
+  const wall = [
+    [-30, -0.2],
+    [8, -0.2],
+    [8, 0.2],
+    [-30, 0.2],
+  ];
+  const end = wall.map(([x = 0, y = 0]) => [x < 0 ? 8 + gap : 30, y]);
+  return JSON.stringify({
+    format: "eigenform",
+    version: 1,
+    title: "Beside a wall",
+    minimumDistance: 0.5,
+    obstacles: [
+      { kind: "polygon", points: wall },
+      { kind: "polygon", points: end },
+    ],
+    keyframes: [{ positions: row(-3) }, { time: 6, positions: row(3).reverse() }],
+    segments: [{ method: "linear", avoidance: true }],
+  });
+}
+
 /** The left end of the first line and the right foot of the gable that `makeShow` draws. */
 const LEFT = [0.25, 0.35] as const;
 const FAR_FOOT = [0.65, 0.7] as const;
@@ -32,4 +56,25 @@ test("who goes where is tried, locked by a drag, accepted as one step and kept a
   const undone = await studio.sceneFile();
   expect(undone.keyframes[1]?.positions).toEqual(before);
   expect(undone.segments?.[0]?.assignment).toBeUndefined();
+});
+
+test("who goes where goes around obstacles, not through", async ({ studio }) => {
+  await studio.openEmpty();
+  const { inspector } = studio;
+  const totals: number[] = [];
+  for (const gap of [2, 0.5]) {
+    await studio.drop("wall.eigenform.json", besideAWall(gap));
+    await expect(studio.title).toHaveValue("Beside a wall");
+    await studio.transitions.first().click();
+    await inspector.getByRole("combobox", { name: "Assignment" }).selectOption("Euclidean");
+    const walks = inspector.getByText(/^\d+\.\d m in all, the longest walk \d/);
+    await expect(walks).toBeVisible();
+    totals.push(Number.parseFloat((await walks.textContent()) ?? ""));
+    await inspector.getByRole("button", { name: "Cancel" }).click();
+  }
+  const [through = 0, around = 0] = totals;
+  // Straight it would be 36 m; through the gap each goes some 20 m, around the far end of the wall 60 and more.
+  expect(through).toBeGreaterThan(80);
+  expect(through).toBeLessThan(150);
+  expect(around).toBeGreaterThan(300);
 });

@@ -1,5 +1,6 @@
 import { alongACurve } from "./along-a-curve.mjs";
 import { apeToHuman } from "./ape-to-human.mjs";
+import { roundAnObstacle, twoGroupsCrossing } from "./around.mjs";
 import { bird } from "./bird.mjs";
 import { feedback } from "./feedback.mjs";
 import { fighters } from "./fighters.mjs";
@@ -14,5 +15,7 @@ export const CROWDS = {
   fighters: { make: fighters, cover: 1 },
   "along-a-curve": { make: alongACurve, cover: 0 },
   "ape-to-human": { make: apeToHuman, cover: 0 },
+  "two-groups-crossing": { make: twoGroupsCrossing, cover: 0 },
   feedback: { make: feedback, cover: 2 },
+  "round-an-obstacle": { make: roundAnObstacle, cover: 0 },
 };

@@ -135,6 +135,48 @@ fn figure_11_has_three_levels_of_groups() {
     assert!(scene.groups.iter().flat_map(|group| &group.children).all(|part| part.members.len() == 6));
 }
 
+/// σ of the distances to the nearest neighbor, meters.
+fn structure_deviation(places: &[glam::DVec2]) -> f64 {
+    let nearest = |p: &glam::DVec2| places.iter().map(|q| p.distance(*q)).filter(|away| *away > 0.0).fold(f64::INFINITY, f64::min);
+    let distances: Vec<f64> = places.iter().map(nearest).collect();
+    let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+    (distances.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / distances.len() as f64).sqrt()
+}
+
+#[test]
+fn two_groups_go_through_each_other_and_are_whole_again() {
+    let scene = example("two-groups-crossing");
+    let performance = perform(&scene).unwrap_or_else(|error| panic!("two-groups-crossing: {error}"));
+    for (performed, has_met) in performance.segments().iter().zip([true, false, true]) {
+        let avoided = performed.avoided.as_ref().expect("they are kept apart");
+        assert!(avoided.unsolved.is_empty() && clearance(performed) >= scene.minimum_distance - 1e-6);
+        assert_eq!(avoided.guide_clearance.is_some_and(|before| before.distance < 0.1), has_met);
+        // Each block at both ends, 2 m from neighbor to neighbor: rounding of coordinates below 64.
+        for k in [0, performed.motion.times().len() - 1] {
+            let (first, second) = performed.motion.sample(k).split_at(64);
+            assert!(structure_deviation(first) < 1e-12 && structure_deviation(second) < 1e-12);
+        }
+        // A group that passes another opens at most by so much: within it nobody is nearer than who crosses it.
+        assert!(avoided.deviation.max < 3.0, "{:?}", avoided.deviation);
+    }
+}
+
+#[test]
+fn a_block_a_ring_and_a_crowd_go_round_obstacles_and_form_again() {
+    let scene = example("round-an-obstacle");
+    let performance = perform(&scene).unwrap_or_else(|error| panic!("round-an-obstacle: {error}"));
+    for performed in performance.segments() {
+        let avoided = performed.avoided.as_ref().expect("they are kept apart");
+        assert!(avoided.unsolved.is_empty() && avoided.blocked.is_empty() && avoided.breaches.is_empty());
+    }
+    let block = &performance.segments()[0].motion;
+    let [start, middle, end] = [0, block.times().len() / 2, block.times().len() - 1].map(|k| block.sample(k));
+    assert!(structure_deviation(start) < 1e-12 && structure_deviation(end) < 1e-12);
+    // Opened: both halves go aside by more than the radius that the fountain has beyond the gap between files.
+    let reach = |places: &[glam::DVec2]| places.iter().map(|p| p.y.abs()).fold(0.0, f64::max);
+    assert!(reach(middle) > reach(start) + 1.0);
+}
+
 #[test]
 fn figure_11_nobody_comes_too_near_on_the_way() {
     let scene = example("thousand");

@@ -9,6 +9,9 @@ use crate::measure::Extreme;
 use crate::motion::Motion;
 use crate::scene::Group;
 
+/// A crowd's guide keeps this far from obstacles at least, meters: the body of a person.
+const LEAST_CLEARANCE: f64 = 0.25;
+
 /// What the forces came to in a segment. Flat in the segment's report.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -81,6 +84,8 @@ fn rules(brief: &Brief, guide: &Motion) -> CrowdRules {
         top_speed: brief.agents.iter().map(|agent| agent.max_speed.unwrap_or(f64::INFINITY)).collect(),
         group: if is_crowd { innermost_groups(&brief.groups, guide.agent_count()) } else { vec![NO_GROUP; guide.agent_count()] },
         obstacles: brief.outlines(),
+        // Both papers have forces alone keep agents off: what is compared with does, too.
+        clearance: if is_crowd { brief.minimum_distance.max(LEAST_CLEARANCE) } else { 0.0 },
         seed: brief.seed,
         #[cfg(feature = "comparison")]
         is_reciprocal: brief.aside.counterpart == Some(Counterpart::Orca),

@@ -45,11 +45,25 @@ export const CROWDS: readonly ExampleCard[] = [
     keyframeCount: 3,
   },
   {
+    id: "two-groups-crossing",
+    title: "Two groups crossing",
+    description: "Figure 9: two blocks go through each other at right angles, then end-on, and are whole again",
+    agentCount: 128,
+    keyframeCount: 4,
+  },
+  {
     id: "feedback",
     title: "Feedback, off and on",
     description: "Figure 12: sharing direction and speed with who is near, places tell less of directions",
     agentCount: 300,
     keyframeCount: 4,
     view: { kind: "compare", segments: [0, 2] },
+  },
+  {
+    id: "round-an-obstacle",
+    title: "Round an obstacle",
+    description: "A block opens about a fountain and closes, rings a stage, and walks back past both as a crowd",
+    agentCount: 36,
+    keyframeCount: 4,
   },
 ];

@@ -48,9 +48,10 @@ export function AssignmentOverlay() {
         if (!context || !trial || !places) return;
         const drag = doing.value.kind === "locking" ? doing.value : null;
         const { locks } = trial.question.value.recipe;
+        const { obstacles } = document.scene.value;
         const found = trial.found.value;
         const [slots, bends] = [found?.slots ?? null, found?.bends ?? []];
-        const sketch: TrialSketch = { from: places[0], to: places[1], slots, bends, locks, drag };
+        const sketch: TrialSketch = { from: places[0], to: places[1], slots, bends, locks, drag, obstacles };
         drawTrial(context, sketch, { camera, size, palette, colors });
       }),
     [view, palette, stored],

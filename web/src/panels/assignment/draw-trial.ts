@@ -1,6 +1,8 @@
 import type { Formation, Point } from "../../document/formation";
+import type { Obstacle } from "../../document/scene";
 import type { Bends } from "../../engine/api";
 import { type Size, toScreen } from "../../stage/camera";
+import { drawObstacles } from "../../stage/layers/obstacles";
 import type { Palette } from "../../stage/palette";
 import { discRadius, neighborSpacing, screenSpacing } from "../../stage/spacing";
 import type { Camera } from "../../stage/view";
@@ -20,6 +22,8 @@ export interface TrialSketch {
   readonly slots: readonly number[] | null;
   /** By agent, where its way there bends. */
   readonly bends: Bends;
+  /** What it bends around. */
+  readonly obstacles: readonly Obstacle[];
   readonly locks: readonly (readonly [agent: number, slot: number])[];
   /** An agent being dragged, where to, and the place it would be locked to. */
   readonly drag: { readonly agent: number; readonly at: Point; readonly slot: number | null } | null;
@@ -42,6 +46,8 @@ export function drawTrial(context: CanvasRenderingContext2D, sketch: TrialSketch
   context.globalAlpha = VEIL;
   context.fillStyle = palette.sheet;
   context.fillRect(0, 0, size.width, size.height);
+  context.globalAlpha = 1;
+  drawObstacles(context, { ...look, ...screenOf(camera) }, sketch.obstacles, null);
   context.lineCap = "round";
   const line = (agent: number, end: Point, way: readonly Point[] = []) => {
     context.beginPath();
@@ -73,6 +79,13 @@ export function drawTrial(context: CanvasRenderingContext2D, sketch: TrialSketch
     context.strokeStyle = palette.you;
     line(drag.agent, drag.slot === null ? drag.at : to.point(drag.slot));
   }
+}
+
+function screenOf(camera: Camera) {
+  return {
+    screenX: (x: number) => toScreen(camera, [x, 0]).x,
+    screenY: (y: number) => toScreen(camera, [0, y]).y,
+  };
 }
 
 function drawDiscs(context: CanvasRenderingContext2D, sketch: TrialSketch, look: Look, radius: number): void {

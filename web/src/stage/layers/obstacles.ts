@@ -2,13 +2,16 @@ import { nearestOn } from "../../document/obstacle";
 import type { AdjacencySpec, Obstacle, ObstacleShape } from "../../document/scene";
 import type { Frame } from "../frame";
 
+/** What an outline is drawn by. */
+export type OutlineFrame = Pick<Frame, "camera" | "size" | "palette" | "screenX" | "screenY">;
+
 const HATCH_STEP = 6;
 const HATCH_ALPHA = 0.22;
 
 /** What agents go around, hatched as on a plan; the selected one's edge is the person's. */
 export function drawObstacles(
   context: CanvasRenderingContext2D,
-  frame: Frame,
+  frame: OutlineFrame,
   obstacles: readonly Obstacle[],
   selected: number | null,
 ): void {
@@ -53,7 +56,7 @@ export function drawObstacleTies(
 }
 
 /** Adds an outline to the path. */
-export function traceShape(context: CanvasRenderingContext2D, frame: Frame, shape: ObstacleShape): void {
+export function traceShape(context: CanvasRenderingContext2D, frame: OutlineFrame, shape: ObstacleShape): void {
   if (shape.kind === "circle") {
     const [x, y] = shape.center;
     context.arc(frame.screenX(x), frame.screenY(y), shape.radius * frame.camera.scale, 0, 2 * Math.PI);
@@ -67,7 +70,7 @@ export function traceShape(context: CanvasRenderingContext2D, frame: Frame, shap
 }
 
 /** Lines that rise to the right, over as much of the shape as can be seen. */
-function hatch(context: CanvasRenderingContext2D, frame: Frame, shape: ObstacleShape): void {
+function hatch(context: CanvasRenderingContext2D, frame: OutlineFrame, shape: ObstacleShape): void {
   const { camera, size, palette } = frame;
   const points = shape.kind === "circle" ? corners(shape.center, shape.radius) : shape.points;
   const xs = points.map(([x]) => frame.screenX(x));

@@ -18,6 +18,8 @@ mod spread;
 mod streams;
 mod warp;
 
+use eigenform_apart::Paths;
+
 use crate::motion::{Approach, Motion, clashes};
 
 use super::deviation::Deviation;
@@ -80,6 +82,20 @@ impl AvoidanceReport {
     pub fn is_solved(&self) -> bool {
         self.unsolved.is_empty() && self.blocked.is_empty() && self.breaches.is_empty()
     }
+}
+
+/// What leads a guide around obstacles at a distance, a knot a sample: nothing at both ends, value and velocity. All zero without
+/// obstacles or distance, and for a guide that does not move.
+pub(super) fn way_around(guide: &Motion, obstacles: &[Outline], distance: f64) -> Paths {
+    let ways = rungs::Ways::of(guide);
+    let sample_count = guide.times().len();
+    if obstacles.is_empty() || distance <= 0.0 || ways.longest <= 0.0 {
+        return Paths::new(guide.agent_count(), sample_count, 2);
+    }
+    let straight = sampling::at_knots(guide, rungs::RUNGS[0].knot_count(ways, distance, sample_count));
+    let mut paths = straight.clone();
+    reroute::reroute(&mut paths, obstacles, distance, [true; 2], true);
+    sampling::lifted(&sampling::difference(&paths, &straight), guide.times(), [true; 2])
 }
 
 /// The exact check alone, of a motion that something else keeps apart; the deviation is the caller's.

@@ -8,6 +8,7 @@ use super::ending::{ended, smoothed};
 use super::guide::Guide;
 use super::walkers::{Speeds, Walkers};
 use super::{Aim, CrowdRules, Ending, Led};
+use crate::edits::avoidance::way_around;
 use crate::edits::deviation::Deviation;
 use crate::motion::Motion;
 
@@ -41,6 +42,11 @@ pub enum CrowdStep {
 /// A crowd on its way along a guide.
 pub struct CrowdJob {
     rules: CrowdRules,
+    /// As it was given.
+    given: Motion,
+    /// What leads it around obstacles, a knot a sample.
+    detour: Paths,
+    /// With that added.
     guide: Guide,
     crowd: Walkers,
     /// Samples walked.
@@ -59,9 +65,11 @@ impl CrowdJob {
     /// When the lists of the rules do not have an entry an agent.
     pub fn new(rules: CrowdRules, guide: Motion) -> Self {
         let offsets = Paths::new(guide.agent_count(), guide.times().len(), 2);
-        let mut guide = Guide::new(guide, rules.unit);
+        let detour = way_around(&guide, &rules.obstacles, rules.clearance);
+        let given = guide;
+        let mut guide = Guide::new(moved(&given, &detour), rules.unit);
         let crowd = crowd(&rules, &mut guide);
-        Self { rules, guide, crowd, at: 0, offsets, arrived_at: None, overtime: 0.0 }
+        Self { rules, given, detour, guide, crowd, at: 0, offsets, arrived_at: None, overtime: 0.0 }
     }
 
     /// Walks for some milliseconds; longer where a crowd of thousands is dense.
@@ -153,7 +161,7 @@ impl CrowdJob {
     }
 
     fn finish(&mut self) -> Led {
-        let Self { rules, guide, offsets, .. } = self;
+        let Self { rules, given, detour, guide, offsets, .. } = self;
         let (last, end) = (self.at, guide.motion().times().len() - 1);
         let motion = &up_to(guide.motion(), last);
         let offsets = offsets_up_to(offsets, last);
@@ -167,15 +175,24 @@ impl CrowdJob {
             Ending::Smoothed(least) => (smoothed(&offsets, motion, least), true),
             Ending::AsItComes => (offsets, false),
         };
+        let offsets = sum(&offsets, &offsets_up_to(detour, last));
         let distances = (0..motion.agent_count()).flat_map(|agent| (0..=last).map(move |k| (agent, k)));
         Led {
-            motion: moved(motion, &offsets),
+            motion: moved(&up_to(given, last), &offsets),
             distance: mean_and_greatest(distances.map(|(agent, k)| length(&offsets, agent, k))),
             deviation: Deviation::new(motion.times().to_vec(), &offsets, [true, is_clamped]),
             arrival_error,
             arrived_after: self.arrived_at.filter(|_| rules.waits).map(|time| time - motion.times()[0]),
         }
     }
+}
+
+fn sum(paths: &Paths, other: &Paths) -> Paths {
+    let mut sum = paths.clone();
+    for axis in 0..2 {
+        sum.axis_mut(axis).iter_mut().zip(other.axis(axis)).for_each(|(value, other)| *value += other);
+    }
+    sum
 }
 
 fn crowd(rules: &CrowdRules, guide: &mut Guide) -> Walkers {

@@ -1,7 +1,8 @@
 //! A crowd along a guide: the guide says where everybody is to be, social forces how they get there (paper D, sections 3.3 and 3.5;
 //! paper A, section 4.3).
 //!
-//! Agents aim at where their guide is a short time ahead, so the plan stays and the forces are local. The last stretch leads back onto
+//! Agents aim at where their guide is a short time ahead, so the plan stays and the forces are local: the way around an obstacle is the
+//! guide's. The last stretch leads back onto
 //! the guide, so that everybody arrives where and when it does. In space, forces are in plan and heights are the guide's.
 
 mod ending;
@@ -37,6 +38,8 @@ pub struct CrowdRules {
     pub group: Vec<u32>,
     /// What stands in the way.
     pub obstacles: Vec<Outline>,
+    /// How far from it the guide is led around it, meters; 0: not at all.
+    pub clearance: f64,
     /// Of the fluctuation.
     pub seed: u32,
     /// Agents avoid each other by optimal reciprocal collision avoidance, and there are no forces: to compare with.

@@ -30,6 +30,7 @@ fn rules(agent_count: usize) -> CrowdRules {
         top_speed: vec![f64::INFINITY; agent_count],
         group: (0..agent_count).map(|agent| u32::from(agent >= agent_count / 2)).collect(),
         obstacles: Vec::new(),
+        clearance: 0.0,
         seed: 5,
         #[cfg(feature = "comparison")]
         is_reciprocal: false,
@@ -121,6 +122,24 @@ fn a_crowd_goes_around_what_stands_in_its_way() {
     let led = led(CrowdRules { group: vec![NO_GROUP], obstacles: vec![circle.clone()], ..rules(1) }, &guide);
     let clearance = led.motion.positions().iter().map(|p| circle.clearance(p.to_array()).0).fold(f64::INFINITY, f64::min);
     assert!(clearance > 0.0, "{clearance}");
+}
+
+#[test]
+fn a_crowd_whose_guide_knows_a_wall_arrives_where_one_is_caught_by_it() {
+    let group = |x: f64| (0..12).map(|k| DVec2::new(x + f64::from(k / 4), f64::from(k % 4) - 1.5)).collect::<Vec<_>>();
+    let guide = straight(&group(-6.0), &group(6.0));
+    let corners = [[-0.3, -4.0], [0.3, -4.0], [0.3, 4.0], [-0.3, 4.0]];
+    let wall = Outline { points: corners.to_vec(), radius: 0.0 };
+    let walked = |clearance: f64| led(CrowdRules { obstacles: vec![wall.clone()], clearance, ..rules(12) }, &guide);
+    let [caught, knowing] = [walked(0.0), walked(0.5)];
+    // Half the way is left to whoever stands before the wall; who knows the way is late by their look ahead.
+    assert!(caught.arrival_error[1] > 4.0 && knowing.arrival_error[1] < 1.0, "{:?} {:?}", caught.arrival_error, knowing.arrival_error);
+    let clearance = knowing.motion.positions().iter().map(|p| wall.clearance(p.to_array()).0).fold(f64::INFINITY, f64::min);
+    // Whoever is behind may press somebody to the wall by less than their body; keeping apart comes after.
+    assert!(clearance > -0.25, "{clearance}");
+    for k in [0, guide.times().len() - 1] {
+        assert!(farthest(&knowing.motion, &guide, k) < 1e-12);
+    }
 }
 
 #[test]
