@@ -1,6 +1,9 @@
 // Timings: the engine natively and in Chromium beside numpy and scipy, and the page's frames. Medians; a ratio says more than a time.
 import { fileURLToPath } from "node:url";
+import { crowdTable, jupedsimRows, recastRows, walkRows } from "./bench/crowds.mjs";
 import { perspectiveRows, playbackRows } from "./bench/frames.mjs";
+import { median } from "./bench/median.mjs";
+import { memoryRow } from "./bench/memory.mjs";
 import { browserRows, nativeRows, peerRows } from "./bench/rows.mjs";
 import { findBrowser } from "./steps/browser.mjs";
 import { buildEngine, buildPage } from "./steps/build.mjs";
@@ -26,18 +29,7 @@ const PROMISES = {
   "table 1: figures 1260 x 991": "≤ 6 s",
   "table 1: airshow 10 x 540": "≤ 0.1 s",
   "blocks of 1936 kept apart": "≤ 4 s",
-  "crowd of 110, 300 steps": "≤ 60 ms, 5,000 a second",
-  "crowd of 306, 300 steps": "≤ 120 ms, 2,500 a second",
-  "crowd of 783, 300 steps": "≤ 250 ms, 1,200 a second",
-  "crowd of 1190, 300 steps": "≤ 428 ms, 700 a second",
-  "crowd of 1936, 300 steps": "≤ 750 ms, 400 a second",
-  "crowd of 10000, 300 steps": "≤ 6 s, 50 a second (native)",
 };
-
-export function median(values) {
-  const sorted = [...values].sort((a, b) => a - b);
-  return sorted[sorted.length >> 1];
-}
 
 const cell = (value) => (value === undefined ? "–" : value < 10 ? value.toFixed(2) : value.toFixed(0));
 const ratio = (value, peer) => (value === undefined || peer === undefined ? "–" : `${(value / peer).toFixed(2)}×`);
@@ -61,7 +53,12 @@ main(async () => {
     );
   }
   if (!peers) console.log("numpy and scipy did not install: no peer.");
+  const walks = await step("Crowds in Chromium", () => walkRows(browser, folder));
+  const jupedsim = await step("JuPedSim", jupedsimRows);
+  const recast = await step("Recast", () => recastRows(browser, folder));
+  for (const line of crowdTable({ native, chromium: walks, jupedsim, recast })) console.log(line);
+  const memory = await step("The page's memory", () => memoryRow(browser));
   const frames = await step("The page's frames", () => playbackRows(browser));
   const perspective = await step("The perspective view's frames", () => perspectiveRows(browser));
-  for (const line of [...frames, ...perspective]) console.log(line);
+  for (const line of [memory, ...frames, ...perspective]) console.log(line);
 });

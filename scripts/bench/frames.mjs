@@ -1,4 +1,5 @@
-import { root } from "../steps/run.mjs";
+import { dropFile, planned, press, withPage } from "./built.mjs";
+import { median } from "./median.mjs";
 import { BROWSER_FLAGS } from "./rows.mjs";
 
 const SECONDS = 5;
@@ -40,50 +41,11 @@ function gaps(page, seconds) {
   );
 }
 
-const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1];
-
-async function dropCsv(page, text) {
-  const data = await page.evaluateHandle((csv) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([csv], "show.csv", { type: "text/csv" }));
-    return transfer;
-  }, text);
-  await page.dispatchEvent("html", "drop", { dataTransfer: data });
-}
-
-/** Serves the built page to a browser while `measure` looks at it. */
-async function withPage(executablePath, flags, measure) {
-  const [{ preview }, { chromium }] = await Promise.all([import("vite"), import("@playwright/test")]);
-  const server = await preview({
-    root: `${root}/web`,
-    configFile: `${root}/vite.config.ts`,
-    logLevel: "error",
-    preview: { host: "127.0.0.1", port: 4190 },
-  });
-  const browser = await chromium.launch({ executablePath, args: flags });
-  try {
-    return await measure(async () => {
-      const page = await browser.newPage({ viewport: { width: 1440, height: 900 }, reducedMotion: "reduce" });
-      await page.goto(server.resolvedUrls.local[0]);
-      return page;
-    });
-  } finally {
-    await browser.close();
-    await new Promise((resolve) => server.httpServer.close(resolve));
-  }
-}
-
 async function openShow(page, agentCount) {
   await page.getByRole("button", { name: "New", exact: true }).click();
-  await dropCsv(page, showCsv(agentCount, 2));
+  await dropFile(page, "show.csv", "text/csv", showCsv(agentCount, 2));
   await page.getByRole("listbox", { name: "Keyframes" }).getByRole("option").nth(1).waitFor();
 }
-
-async function planned(page) {
-  await page.waitForFunction(() => !/Planning/.test(document.body.textContent ?? ""), null, { timeout: 120_000 });
-}
-
-const press = (page, name) => page.getByRole("button", { name, exact: true }).click();
 
 /** What playing and planning cost the page, a line each. */
 export function playbackRows(executablePath) {

@@ -7,7 +7,7 @@ import { type MethodName, mainTrack, type Scene } from "../../web/src/document/s
 import { Ledger, sceneFrom } from "../../web/src/engine/ledger";
 import init, { Engine } from "../../web/src/engine/pkg/workshop.js";
 import wasmUrl from "../../web/src/engine/pkg/workshop_bg.wasm?url";
-import { crossingBlocks, lasting, marchingBlock, strewn, strewnShow } from "./scenes";
+import { crossingBlocks, lasting, strewn, strewnShow } from "./scenes";
 
 /** Times the engine in the page itself, without the worker's messages; milliseconds, one entry a run. */
 
@@ -125,14 +125,6 @@ function assignment(agentCount: number, count: number): number[] {
 const show = (agentCount: number, method: MethodName = "spectral"): Scene => strewnShow(agentCount, 3, 10, method);
 const smooth = (scene: Scene): Scene => ({ ...scene, join: "smooth" });
 
-/** What a crowd takes beyond the straight guide that it follows. */
-function crowd(agentCount: number, count: number): number[] {
-  const [walked, guide] = (["crowd", "linear"] as const).map((method) => marchingBlock(agentCount, method));
-  if (!walked || !guide) return [];
-  const own = whole(guide, count);
-  return whole(walked, count).map((time, run) => time - (own[run] ?? 0));
-}
-
 /** Groups of a strewn crowd that is strewn anew: nobody keeps together, the longest search there is. */
 function affinity(agentCount: number, count: number): number[] {
   const scene = strewnShow(agentCount, 2, 10, "linear");
@@ -173,11 +165,6 @@ const rows: Record<string, () => number[]> = {
   "table 1: airshow 10 x 540": () => whole(lasting(opened(airshow), 540), 5),
   "smooth join of 300 x 6": () => whole(smooth(strewnShow(300, 6, 4, "spectral")), 3),
   "blocks of 1936 kept apart": () => whole(crossingBlocks(), 3),
-  "crowd of 110, 300 steps": () => crowd(110, 7),
-  "crowd of 306, 300 steps": () => crowd(306, 7),
-  "crowd of 783, 300 steps": () => crowd(783, 5),
-  "crowd of 1190, 300 steps": () => crowd(1190, 5),
-  "crowd of 1936, 300 steps": () => crowd(1936, 3),
 };
 
 declare global {

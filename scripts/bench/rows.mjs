@@ -26,13 +26,15 @@ export async function nativeRows() {
   return rows;
 }
 
-/** Every run of every row in Chromium, milliseconds. */
-export async function browserRows(executablePath, folder) {
+/** Hands the page of the bench's folder to `measure`, as Vite serves it; `alias` tells where packages are that are not the page's. */
+export async function withBench(executablePath, folder, measure, alias = {}) {
   const [{ createServer }, { chromium }] = await Promise.all([import("vite"), import("@playwright/test")]);
   const server = await createServer({
     root: folder,
     configFile: false,
     logLevel: "error",
+    resolve: { alias },
+    optimizeDeps: { noDiscovery: true },
     server: { host: "127.0.0.1", fs: { allow: [root] } },
   });
   await server.listen();
@@ -40,6 +42,16 @@ export async function browserRows(executablePath, folder) {
   try {
     const page = await browser.newPage();
     await page.goto(server.resolvedUrls.local[0]);
+    return await measure(page);
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+/** Every run of every row in Chromium, milliseconds. */
+export function browserRows(executablePath, folder) {
+  return withBench(executablePath, folder, async (page) => {
     await page.waitForFunction(() => window.benchRows);
     const rows = {};
     for (const name of await page.evaluate(() => window.benchRows)) {
@@ -47,23 +59,23 @@ export async function browserRows(executablePath, folder) {
       console.log(`  ${name}`);
     }
     return rows;
-  } finally {
-    await browser.close();
-    await server.close();
-  }
+  });
 }
 
-/** numpy's and scipy's runs on one thread; null where they do not install. */
-export async function peerRows() {
+/** What a script of the bench prints with some Python packages on one thread; null where they do not install. */
+export async function pythonRows(packages, script) {
   const venv = join(root, ".cache/bench-venv");
   const python = join(venv, "bin/python");
-  const isThere = (await ask(python, ["-c", "import numpy, scipy"])) !== null;
+  const isThere = (await ask(python, ["-c", `import ${packages.join(", ")}`])) !== null;
   if (!isThere) {
     await ask("python3", ["-m", "venv", venv]);
-    if ((await ask(python, ["-m", "pip", "install", "--quiet", "numpy", "scipy"])) === null) return null;
+    if ((await ask(python, ["-m", "pip", "install", "--quiet", ...packages])) === null) return null;
   }
   const single = { OPENBLAS_NUM_THREADS: "1", OMP_NUM_THREADS: "1", MKL_NUM_THREADS: "1" };
   Object.assign(process.env, single);
-  const text = await ask(python, [join(root, "scripts/bench/peers.py")]);
+  const text = await ask(python, [join(root, "scripts/bench", script)]);
   return text === null ? null : JSON.parse(text);
 }
+
+/** numpy's and scipy's runs. */
+export const peerRows = () => pythonRows(["numpy", "scipy"], "peers.py");

@@ -36,20 +36,6 @@ export function crossingBlocks(): Scene {
   return { ...show, minimumDistance: 0.5, tracks: [{ ...track, keyframes, segments }] };
 }
 
-/** A block in four groups that turns upside down while it moves on for 10 s: as a crowd 300 steps. */
-export function marchingBlock(agentCount: number, method: MethodName): Scene {
-  const columns = Math.ceil(Math.sqrt(agentCount));
-  const places = Array.from({ length: agentCount }, (_, k) => [k % columns, Math.floor(k / columns)] as const);
-  const show = strewnShow(agentCount, 2, 10, method);
-  const track = mainTrack(show);
-  const source = Formation.from(places);
-  const target = Formation.from(places.map(([x, y]) => [x + 20, columns - y]));
-  const members = (part: number) => [...places.keys()].filter((k) => Math.floor((k * 4) / agentCount) === part);
-  const group = { name: "", color: "", tieWeight: null, children: [] };
-  const groups = [0, 1, 2, 3].map((part) => ({ ...group, members: members(part) }));
-  return { ...show, groups, tracks: [{ ...track, keyframes: [keyframeAt(0, source), keyframeAt(10, target)] }] };
-}
-
 /** A show whose agents are strewn anew at every keyframe, `seconds` apart, and stop there. */
 export function strewnShow(agentCount: number, keyframeCount: number, seconds: number, method: MethodName): Scene {
   const scene = emptyScene();

@@ -15,7 +15,7 @@ use eigenform::formation::Formation;
 use eigenform::perform::{Performer, Step};
 use eigenform::scene::Scene;
 use eigenform::spectral::Eigenbasis;
-use eigenform_bench::{crossing_blocks, crowd, joined, show, strewn, thousand};
+use eigenform_bench::{crossing_blocks, crowd, joined, move_first, show, strewn, thousand};
 
 fn eigenbasis(criterion: &mut Criterion) {
     for agent_count in [300, 1260] {
@@ -114,14 +114,6 @@ fn perform_all(performer: &mut Performer, scene: &Scene) {
     for segment in 0..scene.main_track().segments.len() {
         let mut job = performer.begin(scene, segment, &[]);
         while !matches!(job.step(performer).expect("the show can be performed"), Step::Done(_)) {}
-    }
-}
-
-/// Until the first segment's motion is settled; its numbers are not waited for.
-fn move_first(performer: &mut Performer, scene: &Scene) {
-    let mut job = performer.begin(scene, 0, &[]);
-    while job.motion().is_none() {
-        job.step(performer).expect("the show can be performed");
     }
 }
 

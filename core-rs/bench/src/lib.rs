@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use eigenform::choice::{Alignment, Join, MethodName, Order};
 use eigenform::formation::Formation;
+use eigenform::perform::Performer;
 use eigenform::scene::{Agent, Group, Keyframe, Scene, Segment, Track, TransitionSpec, read_json};
 use glam::DVec2;
 
@@ -64,6 +65,17 @@ pub fn crowd(agent_count: usize, method: MethodName) -> Scene {
     let quarter = |quarter: usize| (0..agent_count as u32).filter(|agent| *agent as usize * 4 / agent_count == quarter).collect();
     scene.groups = Arc::new((0..4).map(|part| Group { members: quarter(part), ..Group::default() }).collect());
     scene
+}
+
+/// Until the first segment's motion is settled; its numbers are not waited for.
+///
+/// # Panics
+/// When the show cannot be performed: a bug.
+pub fn move_first(performer: &mut Performer, scene: &Scene) {
+    let mut job = performer.begin(scene, 0, &[]);
+    while job.motion().is_none() {
+        job.step(performer).expect("the show can be performed");
+    }
 }
 
 /// The example after figure 11: 1,260 agents in groups of 36 and of 6, with four keyframes, moved by groups and not yet kept apart.
