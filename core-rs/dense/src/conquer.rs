@@ -4,8 +4,9 @@
 //! nothing, and halves of columns that are zero are not multiplied.
 
 use faer::prelude::ReborrowMut;
-use faer::{ColMut, Mat, MatMut};
+use faer::{Mat, MatMut};
 
+use super::columns::whole_mut;
 use super::product_into;
 use super::secular::{Root, root};
 use super::tridiagonal::decompose;
@@ -135,7 +136,7 @@ impl Merge {
         let (sorted_poles, sorted_amounts) = (sorted(&poles), sorted(&amounts));
         let mut inner = Mat::zeros(count, count);
         for (column, root) in inner.col_iter_mut().zip(&roots) {
-            write_vector(slice(column), &sorted_poles, &sorted_amounts, poles[root.pole], root.offset);
+            write_vector(whole_mut(column), &sorted_poles, &sorted_amounts, poles[root.pole], root.offset);
         }
         let reaches = |wanted: Reach| rows.iter().filter(|number| self.reach[self.taking_part[**number]] == wanted).count();
         let (upper, lower) = (reaches(Reach::Upper), reaches(Reach::Lower));
@@ -184,15 +185,11 @@ fn write_vector(out: &mut [f64], poles: &[f64], amounts: &[f64], origin: f64, of
 /// Columns x and y become cx + sy and cy − sx.
 pub(crate) fn rotate(matrix: MatMut<'_, f64>, x: usize, y: usize, cosine: f64, sine: f64) {
     let (before, after) = matrix.split_at_col_mut(x.max(y));
-    let (low, high) = (slice(before.col_mut(x.min(y))), slice(after.col_mut(0)));
+    let (low, high) = (whole_mut(before.col_mut(x.min(y))), whole_mut(after.col_mut(0)));
     let (first, second) = if x < y { (low, high) } else { (high, low) };
     for (x, y) in first.iter_mut().zip(second) {
         (*x, *y) = (cosine * *x + sine * *y, cosine * *y - sine * *x);
     }
-}
-
-fn slice(column: ColMut<'_, f64>) -> &mut [f64] {
-    column.try_as_col_major_mut().expect("columns lie in one piece").as_slice_mut()
 }
 
 #[cfg(test)]

@@ -6,11 +6,13 @@
 
 #![forbid(unsafe_code)]
 
+mod columns;
 mod conquer;
 pub mod messages;
 mod reduced;
 mod reduction;
 mod secular;
+mod thin;
 mod tiles;
 mod tridiagonal;
 
@@ -53,6 +55,8 @@ pub fn product_into(mut out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatR
     if goes_by_tiles(left, right) {
         out.fill(0.0);
         tiles::add_product(out, left, right, 1.0);
+    } else if cfg!(target_arch = "wasm32") && right.ncols() < LEAST_SIDE && thin::is_possible(left, right) {
+        thin::product_into(out, left, right);
     } else {
         matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
     }
@@ -67,7 +71,7 @@ pub(crate) fn subtract_product(out: MatMut<'_, f64>, left: MatRef<'_, f64>, righ
     }
 }
 
-/// Thin ones are not worth packing.
+/// Those with a short side are not worth packing.
 fn goes_by_tiles(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> bool {
     cfg!(target_arch = "wasm32") && left.nrows().min(left.ncols()).min(right.ncols()) >= LEAST_SIDE
 }

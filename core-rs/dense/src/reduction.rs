@@ -1,8 +1,9 @@
 //! A symmetric matrix made tridiagonal by reflections.
 
 use faer::prelude::{Reborrow, ReborrowMut};
-use faer::{ColRef, Mat, MatMut, MatRef};
+use faer::{Mat, MatMut, MatRef};
 
+use super::columns::{dot, whole, whole_mut};
 use super::{TRIANGLE_WIDTH, subtract_product};
 
 /// Columns that are reduced before the rest of the matrix hears of it: the matrix is read once a column, and written once a panel.
@@ -186,22 +187,6 @@ fn columns_times(columns: [&[f64]; TOGETHER], corner: [f64; TOGETHER], vector: &
     sums.map(|lanes| lanes.iter().sum())
 }
 
-fn dot(left: &[f64], right: &[f64]) -> f64 {
-    let mut sums = [0.0; 2 * LANES];
-    let (left, last_left) = left.as_chunks::<{ 2 * LANES }>();
-    let (right, last_right) = right.as_chunks::<{ 2 * LANES }>();
-    for (left, right) in left.iter().zip(right) {
-        for lane in 0..2 * LANES {
-            sums[lane] += left[lane] * right[lane];
-        }
-    }
-    sums.iter().sum::<f64>() + last_left.iter().zip(last_right).map(|(a, b)| a * b).sum::<f64>()
-}
-
 fn below(matrix: MatMut<'_, f64>, column: usize, row: usize) -> &mut [f64] {
-    &mut matrix.col_mut(column).try_as_col_major_mut().expect("columns lie in one piece").as_slice_mut()[row..]
-}
-
-fn whole(column: ColRef<'_, f64>) -> &[f64] {
-    column.try_as_col_major().expect("columns lie in one piece").as_slice()
+    &mut whole_mut(matrix.col_mut(column))[row..]
 }

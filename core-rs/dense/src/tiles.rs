@@ -8,6 +8,8 @@ use std::ops::Range;
 use faer::prelude::ReborrowMut;
 use faer::{MatMut, MatRef};
 
+use super::columns::{whole, whole_mut};
+
 /// Rows and columns of a tile.
 const SIDE: usize = 4;
 
@@ -43,9 +45,8 @@ fn pack(panels: &mut Vec<[f64; SIDE]>, matrix: MatRef<'_, f64>, factor: f64) {
     if matrix.row_stride() == 1 {
         for rows in parts(matrix.nrows(), SIDE) {
             panels.extend(matrix.subrows(rows.start, rows.len()).col_iter().map(|column| {
-                let column = column.try_as_col_major().expect("the rows lie side by side").as_slice();
                 let mut entries = [0.0; SIDE];
-                entries.iter_mut().zip(column).for_each(|(entry, value)| *entry = factor * value);
+                entries.iter_mut().zip(whole(column)).for_each(|(entry, value)| *entry = factor * value);
                 entries
             }));
         }
@@ -65,7 +66,7 @@ fn add_block(mut out: MatMut<'_, f64>, lefts: &[[f64; SIDE]], rights: &[[f64; SI
         for (rows, left) in parts(out.nrows(), SIDE).zip(lefts.chunks_exact(depth)) {
             let sums = tile(left, right);
             for (column, sums) in columns.clone().zip(&sums) {
-                let column = out.rb_mut().col_mut(column).try_as_col_major_mut().expect("columns lie in one piece").as_slice_mut();
+                let column = whole_mut(out.rb_mut().col_mut(column));
                 column[rows.clone()].iter_mut().zip(sums).for_each(|(entry, sum)| *entry += sum);
             }
         }

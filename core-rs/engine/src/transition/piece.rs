@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use faer::Mat;
+
 use super::chain::Couple;
 use crate::adjacency::Adjacency;
 use crate::choice::Order;
@@ -39,6 +41,8 @@ pub(super) enum Recipe {
     Middle { whole: Same<Planes>, first: (Same<Planes>, f64), last: (Same<Planes>, f64) },
     /// One rotation after another.
     Product { first: Same<Planes>, second: Same<Planes> },
+    /// A rotation to a power, as a matrix.
+    Power(Same<Planes>, f64),
 }
 
 /// A piece of a plan.
@@ -50,4 +54,5 @@ pub(super) enum Piece {
     Pairing(Arc<Pairing>),
     Matched(Arc<Matched>),
     Planes(Arc<Planes>),
+    Matrix(Arc<Mat<f64>>),
 }

@@ -38,6 +38,8 @@ pub(super) struct Turning {
     turns: Vec<Option<Arc<Planes>>>,
     /// By keyframe: toward the neighbors' bases; those needed, none without sharing.
     meetings: Vec<Option<Arc<Planes>>>,
+    /// That of the origin as a matrix.
+    meeting: Option<Arc<Mat<f64>>>,
     /// By pair: what is left to turn; those needed.
     rests: Vec<Option<Arc<Planes>>>,
 }
@@ -72,6 +74,7 @@ impl Planner {
             pair: self.pair(&chain.couple(origin))?,
             turns: vec![None; pair_count],
             meetings: vec![None; pair_count + 1],
+            meeting: None,
             rests: vec![None; pair_count],
         };
         for pair in first..last {
@@ -84,6 +87,9 @@ impl Planner {
         }
         for pair in first..last {
             turning.rests[pair] = Some(self.rest(chain, pair, choice)?);
+        }
+        if let Some(meeting) = &turning.meetings[origin] {
+            turning.meeting = Some(self.power(chain, meeting, 1.0)?);
         }
         Some(turning)
     }
@@ -171,8 +177,8 @@ impl Strand<'_> {
 
 impl Turning {
     fn modes_at_origin(&self) -> Mat<f64> {
-        match &self.meetings[self.origin] {
-            Some(meeting) => product(meeting.matrix(1.0).as_ref(), self.pair.source_modes()),
+        match &self.meeting {
+            Some(meeting) => product(meeting.as_ref().as_ref(), self.pair.source_modes()),
             None => self.pair.source_modes().to_owned(),
         }
     }

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use faer::Mat;
+
 use super::chain::Chain;
 use super::piece::{Piece, Recipe};
 use super::planner::Planner;
@@ -50,10 +52,18 @@ impl Planner {
         let source = self.meeting(chain, pair, choice)?;
         let target = self.meeting(chain, pair + 1, choice)?;
         let recipe = Recipe::Rest { turn: Same(turn.clone()), source: Same(source.clone()), target: Same(target.clone()) };
-        self.planes(chain, recipe, &|| {
-            let turned = product(turn.matrix(1.0).as_ref(), source.matrix(-1.0).as_ref());
-            Planes::of(product(target.matrix(1.0).as_ref(), turned.as_ref()).as_ref())
-        })
+        if let Some(Piece::Planes(known)) = self.known(&recipe) {
+            return Some(known);
+        }
+        // Two segments meet at a keyframe.
+        let from_source = self.power(chain, &source, 1.0)?;
+        let to_target = self.power(chain, &target, 1.0)?;
+        let turned = product(turn.matrix(1.0).as_ref(), from_source.transpose());
+        let left = product(to_target.as_ref().as_ref(), turned.as_ref());
+        let planes = Arc::new(Planes::of(left.as_ref()));
+        self.keep(Recipe::Power(Same(planes.clone()), 1.0), Piece::Matrix(Arc::new(left)), chain.agent_count(), 1);
+        self.keep(recipe, Piece::Planes(planes), chain.agent_count(), 1);
+        None
     }
 
     /// The rotation by which the modes pass keyframe `end`, and how often a second: the mean of what is left on either side, by the
@@ -90,25 +100,34 @@ impl Planner {
     ) -> Option<Arc<Planes>> {
         let same = |(planes, power): (&Arc<Planes>, f64)| (Same(planes.clone()), power);
         let recipe = Recipe::Middle { whole: Same(whole.clone()), first: same(first), last: same(last) };
-        self.planes(chain, recipe, &|| {
-            // At a stop the segment's own rotation leads: that part of its power is only left out.
-            let is_whole = |part: &Arc<Planes>| Arc::ptr_eq(part, whole);
-            let done: f64 = [first, last].into_iter().filter(|(part, _)| is_whole(part)).map(|(_, power)| power).sum();
-            let mut left = whole.matrix(1.0 - done);
-            if !is_whole(first.0) {
-                left = product(left.as_ref(), first.0.matrix(-first.1).as_ref());
-            }
-            if !is_whole(last.0) {
-                left = product(last.0.matrix(-last.1).as_ref(), left.as_ref());
-            }
-            Planes::of(left.as_ref())
-        })
+        if let Some(Piece::Planes(known)) = self.known(&recipe) {
+            return Some(known);
+        }
+        // At a stop the segment's own rotation leads: that part of its power is only left out.
+        let is_whole = |part: &Arc<Planes>| Arc::ptr_eq(part, whole);
+        let done: f64 = [first, last].into_iter().filter(|(part, _)| is_whole(part)).map(|(_, power)| power).sum();
+        let before = if is_whole(first.0) { None } else { Some(self.power(chain, first.0, first.1)?) };
+        let after = if is_whole(last.0) { None } else { Some(self.power(chain, last.0, last.1)?) };
+        let left = self.power(chain, whole, 1.0 - done)?;
+        let left = before.map_or(left.clone(), |before| Arc::new(product(left.as_ref().as_ref(), before.transpose())));
+        let left = after.map_or(left.clone(), |after| Arc::new(product(after.transpose(), left.as_ref().as_ref())));
+        self.planes(chain, recipe, &|| Planes::of(left.as_ref().as_ref()))
     }
 
     /// One rotation after another, as one.
     pub(super) fn successive(&mut self, chain: &Chain, first: &Arc<Planes>, second: &Arc<Planes>) -> Option<Arc<Planes>> {
         let recipe = Recipe::Product { first: Same(first.clone()), second: Same(second.clone()) };
         self.planes(chain, recipe, &|| Planes::of(product(second.matrix(1.0).as_ref(), first.matrix(1.0).as_ref()).as_ref()))
+    }
+
+    /// A rotation to a power, as a matrix; to the opposite power it is the transpose.
+    pub(super) fn power(&mut self, chain: &Chain, planes: &Arc<Planes>, power: f64) -> Option<Arc<Mat<f64>>> {
+        let recipe = Recipe::Power(Same(planes.clone()), power);
+        if let Some(Piece::Matrix(known)) = self.known(&recipe) {
+            return Some(known);
+        }
+        self.keep(recipe, Piece::Matrix(Arc::new(planes.matrix(power))), chain.agent_count(), 1);
+        None
     }
 
     fn planes(&mut self, chain: &Chain, recipe: Recipe, make: &dyn Fn() -> Planes) -> Option<Arc<Planes>> {
