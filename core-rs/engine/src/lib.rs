@@ -24,3 +24,6 @@ pub mod spectral;
 mod spline;
 pub mod text;
 pub mod transition;
+
+/// Whether anything is compared: what only comparisons ask for is left out of an engine without.
+pub(crate) const COMPARES: bool = cfg!(feature = "comparison");

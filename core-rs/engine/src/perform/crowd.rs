@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::brief::Brief;
 use super::counterpart::Counterpart;
+use crate::COMPARES;
 use crate::edits::{Aim, CrowdJob, CrowdRules, CrowdStep, Deviation, Ending, Feedback, Led, NO_GROUP};
 use crate::measure::Extreme;
 use crate::motion::Motion;
@@ -66,7 +67,8 @@ impl Crowding {
 
 fn rules(brief: &Brief, guide: &Motion) -> CrowdRules {
     let told = &brief.own.transition.crowd;
-    let (aim, ending) = match brief.aside.counterpart {
+    let counterpart = brief.aside.counterpart.filter(|_| COMPARES);
+    let (aim, ending) = match counterpart {
         None => (Aim::Guide, Ending::Exact),
         Some(Counterpart::GuidedForce) => (Aim::Guide, Ending::Smoothed(brief.minimum_distance)),
         Some(Counterpart::PlainForce) => (Aim::Target, Ending::AsItComes),
@@ -75,7 +77,7 @@ fn rules(brief: &Brief, guide: &Motion) -> CrowdRules {
     };
     let pace = brief.aside.pace;
     // Paper A has neither feedback nor subgroups in its forces.
-    let is_crowd = brief.aside.counterpart.is_none();
+    let is_crowd = counterpart.is_none();
     CrowdRules {
         constants: told.constants,
         feedback: Feedback { direction: is_crowd && told.direction_feedback, speed: is_crowd && told.speed_feedback },

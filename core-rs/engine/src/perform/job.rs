@@ -9,13 +9,13 @@ use super::avoid::{Avoiding, Kept, judged};
 use super::brief::Brief;
 use super::clock::{Clock, path_parameters};
 use super::crowd::{Crowded, Crowding};
-#[cfg(feature = "comparison")]
 use super::free::freed;
 use super::performed::{Candidate, Performed};
 use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
 use super::tied;
 use super::trial::{Trial, chosen, with_resort};
+use crate::COMPARES;
 use crate::choice::{Choice, MethodName};
 use crate::edits::Deviation;
 use crate::error::Error;
@@ -337,25 +337,17 @@ impl Work {
     }
 
     /// The guide as it is walked: at its own pace where everybody arrives when they do.
-    #[cfg(feature = "comparison")]
     fn at_pace(&self, guide: Motion, ts: &mut Vec<f64>) -> Motion {
-        let Some(pace) = self.brief.aside.pace else { return guide };
+        let Some(pace) = self.brief.aside.pace.filter(|_| COMPARES) else { return guide };
         let top_speeds: Vec<f64> = self.brief.agents.iter().map(|agent| agent.max_speed.unwrap_or(f64::INFINITY)).collect();
         let freed = freed(&guide, pace, &top_speeds, self.brief.frame_rate, self.brief.has_crowd());
         *ts = freed.ts;
         freed.motion
     }
 
-    /// The guide as it is.
-    #[cfg(not(feature = "comparison"))]
-    #[expect(clippy::unused_self, clippy::ptr_arg, reason = "with comparisons both are looked at")]
-    fn at_pace(&self, guide: Motion, _: &mut Vec<f64>) -> Motion {
-        guide
-    }
-
     /// Avoidance, where it has something to do and no counterpart is in its place.
     fn keep_apart(&self, plan: Plan, clock: Clock, samples: Sampling, guide: Motion) -> Stage {
-        let kept = if let (Some(_), Some(crowded)) = (self.brief.aside.counterpart, &plan.crowded) {
+        let kept = if let (true, Some(_), Some(crowded)) = (COMPARES, self.brief.aside.counterpart, &plan.crowded) {
             Kept { avoided: judged(&self.brief, &plan.chain, &guide, crowded.guide_deviation), ..Kept::as_is(guide) }
         } else {
             match Avoiding::of(&self.brief, &plan.chain, guide) {

@@ -12,7 +12,6 @@ mod clock;
 mod comparison;
 mod counterpart;
 mod crowd;
-#[cfg(feature = "comparison")]
 mod free;
 mod graphs;
 mod job;

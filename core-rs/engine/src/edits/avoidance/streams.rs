@@ -56,7 +56,9 @@ impl Streams {
         let members = together(guide, TOGETHER * distance)?;
         let mut stream_of = vec![None; guide.agent_count()];
         for (stream, agents) in members.iter().enumerate() {
-            agents.iter().for_each(|agent| stream_of[*agent] = Some(stream));
+            for agent in agents {
+                stream_of[*agent] = Some(stream);
+            }
         }
         let (times, mut meetings) = (guide.times(), Vec::<Passing>::new());
         let mut other_count = 0;

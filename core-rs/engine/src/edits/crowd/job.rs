@@ -8,6 +8,7 @@ use super::ending::{ended, smoothed};
 use super::guide::Guide;
 use super::walkers::{Speeds, Walkers};
 use super::{Aim, CrowdRules, Ending, Led};
+use crate::COMPARES;
 use crate::edits::avoidance::way_around;
 use crate::edits::deviation::Deviation;
 use crate::motion::Motion;
@@ -77,14 +78,12 @@ impl CrowdJob {
         let agent_count = self.guide.motion().agent_count();
         let mut moves = 0;
         while moves < MOVES_PER_STEP {
-            let is_over = self.at + 1 == self.guide.motion().times().len() || self.rules.pace.is_some() && self.arrived_at.is_some();
-            let moments = if !is_over {
+            let is_guided = self.at + 1 < self.guide.motion().times().len();
+            let is_free = COMPARES && self.rules.pace.is_some();
+            let is_awaited = COMPARES && self.rules.waits && self.arrived_at.is_none();
+            let moments = if is_guided && !(is_free && self.arrived_at.is_some()) {
                 self.walk()
-            } else if self.rules.pace.is_none()
-                && self.rules.waits
-                && self.arrived_at.is_none()
-                && self.overtime < PATIENCE * self.duration()
-            {
+            } else if is_awaited && !is_free && self.overtime < PATIENCE * self.duration() {
                 self.wait()
             } else {
                 return CrowdStep::Done(Box::new(self.finish()));
@@ -113,7 +112,9 @@ impl CrowdJob {
             self.offsets.path_mut(0, agent)[self.at] = offset.x;
             self.offsets.path_mut(1, agent)[self.at] = offset.y;
         }
-        self.note_arrival(to);
+        if COMPARES && self.rules.waits {
+            self.note_arrival(to);
+        }
         moments as usize
     }
 
@@ -135,11 +136,11 @@ impl CrowdJob {
         let [_, end] = self.guide.span();
         let (look_ahead, next) = (self.rules.constants.look_ahead, time + seconds);
         let (aim, within) = match self.rules.aim {
-            Aim::Guide => (next + look_ahead, look_ahead + seconds),
             // As fast as anybody hurries, until one is nearly there.
-            Aim::Target if self.rules.pace.is_some() => (end, look_ahead),
+            Aim::Target if COMPARES && self.rules.pace.is_some() => (end, look_ahead),
             // As fast as to be there in time: the way that is left in the time that is left.
-            Aim::Target => (end, (end - time).max(look_ahead)),
+            Aim::Target if COMPARES => (end, (end - time).max(look_ahead)),
+            _ => (next + look_ahead, look_ahead + seconds),
         };
         self.guide.places_into(aim.min(end), self.crowd.aims_mut());
         self.crowd.step(seconds, within);
@@ -171,9 +172,9 @@ impl CrowdJob {
         };
         let arrival_error = mean_and_greatest((0..motion.agent_count()).map(error));
         let (offsets, is_clamped) = match rules.ending {
-            Ending::Exact => (ended(&offsets, motion.times()), true),
-            Ending::Smoothed(least) => (smoothed(&offsets, motion, least), true),
-            Ending::AsItComes => (offsets, false),
+            Ending::Smoothed(least) if COMPARES => (smoothed(&offsets, motion, least), true),
+            Ending::AsItComes if COMPARES => (offsets, false),
+            _ => (ended(&offsets, motion.times()), true),
         };
         let offsets = sum(&offsets, &offsets_up_to(detour, last));
         let distances = (0..motion.agent_count()).flat_map(|agent| (0..=last).map(move |k| (agent, k)));
@@ -182,7 +183,7 @@ impl CrowdJob {
             distance: mean_and_greatest(distances.map(|(agent, k)| length(&offsets, agent, k))),
             deviation: Deviation::new(motion.times().to_vec(), &offsets, [true, is_clamped]),
             arrival_error,
-            arrived_after: self.arrived_at.filter(|_| rules.waits).map(|time| time - motion.times()[0]),
+            arrived_after: self.arrived_at.map(|time| time - motion.times()[0]),
         }
     }
 }
@@ -223,7 +224,7 @@ fn crowd(rules: &CrowdRules, guide: &mut Guide) -> Walkers {
         outline
     });
     let speeds = match (rules.aim, rules.pace.map(|pace| pace / rules.unit)) {
-        (Aim::Target, Some(pace)) => Speeds { wished: pace, greatest: HURRY * pace },
+        (Aim::Target, Some(pace)) if COMPARES => Speeds { wished: pace, greatest: HURRY * pace },
         _ => Speeds { wished: HURRY * guide.top_speed(), greatest: HURRY * guide.top_speed() },
     };
     Walkers::new(rules, bodies, outlines.collect(), USUAL_RADIUS / rules.unit, speeds)

@@ -56,7 +56,11 @@ fn led(rules: CrowdRules, guide: &Motion) -> Led {
 }
 
 fn farthest(motion: &Motion, other: &Motion, k: usize) -> f64 {
-    motion.sample(k).iter().zip(other.sample(k)).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max)
+    farthest_from(motion, k, other.sample(k))
+}
+
+fn farthest_from(motion: &Motion, k: usize, places: &[DVec2]) -> f64 {
+    motion.sample(k).iter().zip(places).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max)
 }
 
 #[test]
@@ -113,6 +117,29 @@ fn plain_forces_leave_agents_where_they_are_and_say_how_far_that_is() {
     let last = guide.times().len() - 1;
     assert!((farthest(&led.motion, &guide, last) - led.arrival_error[1]).abs() < 1e-12);
     assert!(led.arrived_after.is_none_or(|seconds| seconds > 0.5 * SECONDS));
+}
+
+#[test]
+#[cfg(feature = "comparison")]
+fn with_free_arrival_it_is_over_once_everybody_is_there() {
+    let guide = crossing();
+    // The guide stands at its end for twice its time.
+    let times = sample_times(1.0, 1.0 + 3.0 * SECONDS, 30.0);
+    let last = guide.times().len() - 1;
+    let positions = (0..times.len()).flat_map(|k| guide.sample(k.min(last)).to_vec()).collect();
+    let standing = Motion::new(times, 16, positions);
+    for (aim, is_reciprocal) in [(Aim::Guide, false), (Aim::Target, false), (Aim::Target, true)] {
+        let free = CrowdRules { aim, is_reciprocal, ending: Ending::AsItComes, waits: true, pace: Some(1.5), ..rules(16) };
+        let led = led(free, &standing);
+        let over = led.motion.times().len() - 1;
+        let seconds = led.motion.times()[over] - 1.0;
+        // 4.5 m at 1.5 m/s take 3 s.
+        assert!((3.0 - 0.5..3.0 * SECONDS).contains(&seconds) && led.arrived_after == Some(seconds), "{aim:?} {seconds}");
+        let error = farthest_from(&led.motion, over, guide.sample(last));
+        // Edits see guides in grains of 2⁻²⁰ m, here at both the end and the sample before.
+        assert!(error <= 0.5 && (error - led.arrival_error[1]).abs() < 2.0_f64.powi(-19), "{aim:?} {error}");
+        assert!(farthest_from(&led.motion, over - 1, guide.sample(last)) > 0.5, "it is over as soon as they are");
+    }
 }
 
 #[test]
