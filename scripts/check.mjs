@@ -1,6 +1,6 @@
 // Format, lint, types and unit tests.
 import { buildEngine } from "./steps/build.mjs";
-import { check, lintRust } from "./steps/check.mjs";
+import { checkPage, lintRust, testRust } from "./steps/check.mjs";
 import { main } from "./steps/run.mjs";
 import { prepare, prepareChecks } from "./steps/tools.mjs";
 
@@ -8,5 +8,5 @@ main(async () => {
   const toolchain = await prepare();
   await prepareChecks();
   await Promise.all([buildEngine(toolchain), lintRust()]);
-  await check();
+  await Promise.all([testRust(), checkPage()]);
 });

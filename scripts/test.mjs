@@ -2,7 +2,7 @@
 import { findBrowser } from "./steps/browser.mjs";
 import { checkBudget } from "./steps/budget.mjs";
 import { buildEngine, buildPage } from "./steps/build.mjs";
-import { check, lintRust } from "./steps/check.mjs";
+import { checkPage, lintRust, testRust } from "./steps/check.mjs";
 import { main, run, step } from "./steps/run.mjs";
 import { prepare, prepareChecks } from "./steps/tools.mjs";
 
@@ -11,8 +11,7 @@ main(async () => {
   await prepareChecks();
   const browser = await findBrowser();
   await Promise.all([buildEngine(toolchain), lintRust()]);
-  await check();
-  await buildPage();
+  await Promise.all([testRust(), checkPage().then(buildPage)]);
   await step("Size of the first load", checkBudget);
   await step("End-to-end tests", () =>
     run("npx", ["playwright", "test", "--config", "e2e/playwright.config.ts"], { env: { EIGENFORM_BROWSER: browser } }),

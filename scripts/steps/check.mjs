@@ -41,13 +41,17 @@ export async function lintRust() {
   );
 }
 
-/** Types, the page's format and lint, unit tests; needs the engine's package. */
-export async function check() {
+/** The engine's types as the page has them, and the engine's own tests. */
+export async function testRust() {
   await step("Types across the seam", checkTypes);
-  await step("Page format and lint", () => run("npx", ["biome", "check", "--error-on-warnings", "."]));
-  await step("Page types", () => run("npx", ["tsc"]));
   // The bench has no tests and the documentation no examples, but compiling for them takes its time.
   const targets = ["--exclude", "eigenform-bench", "--lib", "--bins", "--tests"];
   await step("Rust tests", () => run("cargo", ["test", "--quiet", "--workspace", ...targets], { cwd }));
+}
+
+/** The page's format and lint, types and unit tests; needs the engine's package. */
+export async function checkPage() {
+  await step("Page format and lint", () => run("npx", ["biome", "check", "--error-on-warnings", "."]));
+  await step("Page types", () => run("npx", ["tsc"]));
   await step("Page tests", () => run("npx", ["vitest", "run"]));
 }
