@@ -67,9 +67,10 @@ test("two lines pass through each other, and the page says what it took", async 
 
 test("what is not solved says so, and each step that may help is one undo away", async ({ studio }) => {
   const [west, east] = [block(6, 6, 1, [-8, 0]), block(6, 6, 1, [8, 0])];
+  // Each turned upside down on its way: nobody's file is anybody's.
   const dense = [
     [...west, ...east],
-    [...east, ...west],
+    [...east.toReversed(), ...west.toReversed()],
   ];
   await studio.openFirst();
   await studio.drop("blocks.json", show("Blocks", 0.95, dense, { method: "linear", avoidance: true }));
@@ -98,7 +99,7 @@ test("what is not solved says so, and each step that may help is one undo away",
 
 test("those who are stuck spread out on the stage, and it stays only when it is accepted", async ({ studio }) => {
   const [west, south] = [block(3, 3, 1, [-6, 0]), block(3, 3, 1, [0, -6])];
-  const across = [...block(3, 3, 1, [6, 0]), ...block(3, 3, 1, [0, 6])];
+  const across = [...block(3, 3, 1, [6, 0]).toReversed(), ...block(3, 3, 1, [0, 6]).toReversed()];
   await studio.openFirst();
   const segment = { method: "linear", avoidance: true };
   await studio.drop("crossing.json", show("Crossing", 0.8, [[...west, ...south], across], segment));
