@@ -69,6 +69,18 @@ for (const [format, name, text] of [
   });
 }
 
+test("a scene that is opened puts the recording away", async ({ studio }) => {
+  await studio.openFirst();
+  await studio.drop("walk.csv", MOTION_CSV);
+  await expect(panel(studio)).toBeVisible();
+  await studio.button("New").click();
+  await expect(panel(studio)).toHaveCount(0);
+  await expect(studio.inspector).toBeVisible();
+  await studio.button("Undo").click();
+  await expect(studio.title).toHaveValue("Autumn opener");
+  await expect(panel(studio)).toHaveCount(0);
+});
+
 test("a recording that is cut short says where, and what is on the page stays", async ({ studio }) => {
   await studio.openFirst();
   const before = await studio.title.inputValue();

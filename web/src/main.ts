@@ -91,7 +91,7 @@ const intake = createIntake({
   document: store,
   messages,
   aside,
-  onOpened: showFromStart,
+  onOpened: showOpened,
   onPicture: (file) => dialogs.show({ kind: "shape", from: "picture", file }),
 });
 
@@ -100,6 +100,12 @@ function showFromStart(): void {
   playback.seek(0);
   view.fit();
   view.lens.peek()?.fit();
+}
+
+/** Somebody opened another scene: what lay beside the one before, such as a recording, belongs to that one. */
+function showOpened(): void {
+  aside.value = null;
+  showFromStart();
 }
 
 /** Nothing moves by itself for a person who asked for less motion. */
@@ -111,7 +117,7 @@ async function fetchDesk(): Promise<Desk> {
   const { createDesk } = await import("./files/desk");
   const address = location.origin + location.pathname;
   const onExample = () => {
-    showFromStart();
+    showOpened();
     playWhereWelcome();
   };
   return createDesk({ document: store, engine, planner, messages, intake, address, onExample });
@@ -141,7 +147,7 @@ const actionParts: ActionParts = {
   files: {
     new: () => {
       openScene(store, emptyScene(), "New scene");
-      showFromStart();
+      showOpened();
     },
     open: () => atDesk((desk) => desk.open()),
     save: () => atDesk((desk) => void desk.save()),
@@ -236,7 +242,7 @@ const arrival: ArrivalParts = {
   },
   open(scene, label) {
     openScene(store, scene, label);
-    showFromStart();
+    showOpened();
     playWhereWelcome();
   },
   async showFirstExample() {
