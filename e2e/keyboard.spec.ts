@@ -71,6 +71,22 @@ test("a show is made, played and shared without a pointer", async ({ studio, pag
   });
 });
 
+test("after a press of New, and after a closed dialog, keys reach the tools", async ({ studio, page }) => {
+  await studio.openFirst();
+  await studio.button("New").click();
+  await expect(studio.keyframes).toHaveCount(1);
+  await page.keyboard.press("d");
+  await page.keyboard.press("Enter");
+  await expect(studio.tab("Agents")).toContainText("12");
+  await studio.button("Share").click();
+  await expect(page.getByRole("textbox", { name: "Link", exact: true })).toHaveValue(/#s=1\./);
+  await page.keyboard.press("Escape");
+  await expect(studio.dialog).toHaveCount(0);
+  await page.keyboard.press("Enter");
+  await expect(studio.tab("Agents")).toContainText("24");
+  await expect(studio.dialog).toHaveCount(0);
+});
+
 test("keyframes are walked, put in another order and deleted by keys", async ({ studio, page }) => {
   await studio.openFirst();
   await page.keyboard.press("Space");

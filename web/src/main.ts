@@ -24,6 +24,7 @@ import { laterHandiwork } from "./panels/later-handiwork";
 import { lazily } from "./panels/lazily";
 import { createMessages, NOT_LOADED } from "./panels/messages";
 import { mountPanels } from "./panels/mount";
+import { releaseFocus } from "./panels/release-focus";
 import { createSeen, frontWhenAsked } from "./panels/seen";
 import { showOf } from "./panels/show-of";
 import type { Studio } from "./panels/studio";
@@ -105,6 +106,7 @@ function showFromStart(): void {
 /** Somebody opened another scene: what lay beside the one before, such as a recording, belongs to that one. */
 function showOpened(): void {
   aside.value = null;
+  releaseFocus();
   showFromStart();
 }
 

@@ -22,7 +22,10 @@ export function SidePanel(props: {
   useEffect(() => {
     const before = document.activeElement;
     close.current?.focus({ focusVisible: false } as FocusOptions);
+    const panel = close.current?.closest("section");
     return () => {
+      // Whoever has gone on meanwhile is left where they are.
+      if (!panel?.contains(document.activeElement)) return;
       if (before instanceof HTMLElement && before.isConnected) before.focus({ focusVisible: false } as FocusOptions);
     };
   }, []);

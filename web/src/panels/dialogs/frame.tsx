@@ -2,6 +2,7 @@ import { X } from "lucide";
 import type { ComponentChildren } from "preact";
 import { useId, useLayoutEffect, useRef } from "preact/hooks";
 import { Icon } from "../../theme/icons";
+import { releaseFocus } from "../release-focus";
 
 export interface FrameProps {
   readonly title: ComponentChildren;
@@ -38,16 +39,23 @@ export interface ModalProps {
   readonly children: ComponentChildren;
 }
 
-/** The browser's own modal dialog: it keeps the focus inside and gives it back; Escape and a press beside it close. */
+/**
+ * The browser's own modal dialog: it keeps the focus inside; Escape and a press beside it close. Whoever opened it by
+ * keys has the focus back where it was; after a pointer's press keys are meant for the stage.
+ */
 export function Modal({ class: name, label, labelledBy, onClose, children }: ModalProps) {
   const dialog = useRef<HTMLDialogElement>(null);
   useLayoutEffect(() => {
     const element = dialog.current;
+    const wasOpenedByKeys = document.activeElement?.matches(":focus-visible") ?? false;
     element?.showModal();
     // Without a control that asks for it, the dialog itself has the focus: Close is not what most come for.
     if (!element?.querySelector("[autofocus]")) element?.focus();
     // Closed before it leaves the page: only then does the browser return the focus.
-    return () => element?.close();
+    return () => {
+      element?.close();
+      if (!wasOpenedByKeys) releaseFocus();
+    };
   }, []);
   return (
     // biome-ignore lint/a11y/useKeyWithClickEvents: Escape is the key that closes, and the browser hears it.
