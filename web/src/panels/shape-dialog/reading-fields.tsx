@@ -27,7 +27,9 @@ export function ReadingFields(props: {
   options: ReadingOptions;
   /** A picture has brightness to choose from; text and paths are what they are. */
   isPicture: boolean;
-  /** Why the number of agents is given; null when it is free. */
+  /** Whether exactly the agents that there are stand there. */
+  isCountGiven: boolean;
+  /** What to know about the number of agents beforehand; null when there is nothing. */
   reason: string | null;
   /** The longer side as it is now, meters. */
   extent: number | null;
@@ -70,7 +72,7 @@ export function ReadingFields(props: {
           value={options.count}
           quantity={AGENTS}
           isLive
-          isDisabled={props.reason !== null}
+          isDisabled={props.isCountGiven}
           describedBy={props.reason === null ? undefined : "shape-agents-reason"}
           onCommit={(count) => onChange({ count: Math.round(count) })}
         />

@@ -2,7 +2,7 @@ import "../dialogs/dialogs.css";
 import "./shape-dialog.css";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import type { Point } from "../../document/formation";
-import { placementAt } from "../../document/queries";
+import { mainTrack } from "../../document/scene";
 import { snapOf } from "../../document/snap";
 import { formatCount } from "../../document/units";
 import type { ShapeRequest } from "../../engine/shape-protocol";
@@ -10,6 +10,7 @@ import { Segmented } from "../controls/segmented";
 import type { ShapeOrigin } from "../dialogs/dialogs";
 import { Frame } from "../dialogs/frame";
 import type { DialogProps } from "../dialogs/host";
+import { noteBefore, usePlacement } from "../stage-edge/use-placement";
 import { useStudio } from "../studio";
 import { OriginFields } from "./origin-fields";
 import { ReadingFields, type ReadingOptions } from "./reading-fields";
@@ -50,7 +51,8 @@ export function ShapeDialog({ request, dialogs }: DialogProps<ShapeOrigin>) {
   }, [request]);
 
   const scene = document.scene.value;
-  const placement = placementAt(scene, document.activeKeyframe.value, document.selection.value);
+  const ahead = usePlacement();
+  const { placement } = ahead;
   const count = placement.kind === "add" ? options.count : placement.agents.length;
   const drawn = usePixels(origins[kind]);
   const pixels = drawn.kind === "here" ? drawn.pixels : null;
@@ -106,7 +108,8 @@ export function ShapeDialog({ request, dialogs }: DialogProps<ShapeOrigin>) {
           <ReadingFields
             options={{ ...options, count }}
             isPicture={kind === "picture"}
-            reason={placement.kind === "add" ? null : placement.reason}
+            isCountGiven={placement.kind === "place"}
+            reason={noteBefore(ahead, mainTrack(scene).keyframes.length, count)}
             extent={xy && extentOf(xy)}
             units={scene.stage.units}
             onChange={(change) => setOptions((before) => ({ ...before, ...change }))}

@@ -1,5 +1,5 @@
 import { LIMITS } from "../../document/limits";
-import { placementAt } from "../../document/queries";
+import { mainTrack } from "../../document/scene";
 import { metersPer } from "../../document/units";
 import type { Spacing } from "../../tools/toolbox";
 import { NumberBox } from "../controls/number-box";
@@ -7,6 +7,7 @@ import { Segmented } from "../controls/segmented";
 import { lengthQuantity, wholeQuantity } from "../inspector/quantities";
 import { useStudio } from "../studio";
 import { ShapeChoice } from "./shape-choice";
+import { noteBefore, usePlacement } from "./use-placement";
 
 const AGENT_COUNT = wholeQuantity(1, LIMITS.agents);
 
@@ -50,7 +51,15 @@ function AgentSpacing() {
   const { document, toolbox } = useStudio();
   const scene = document.scene.value;
   const spacing = toolbox.spacing.value;
-  const placement = placementAt(scene, document.activeKeyframe.value, document.selection.value);
+  const ahead = usePlacement();
+  const { placement } = ahead;
+  const note = noteBefore(ahead, mainTrack(scene).keyframes.length, spacing.by === "count" ? spacing.count : null);
+  const said = note !== null && (
+    <p class="tool-reason" id="agents-reason">
+      {note}
+    </p>
+  );
+  const describedBy = note === null ? undefined : "agents-reason";
   if (placement.kind === "place") {
     return (
       <>
@@ -60,12 +69,10 @@ function AgentSpacing() {
           value={placement.agents.length}
           quantity={AGENT_COUNT}
           isDisabled
-          describedBy="agents-reason"
+          describedBy={describedBy}
           onCommit={() => undefined}
         />
-        <p class="tool-reason" id="agents-reason">
-          {placement.reason}
-        </p>
+        {said}
       </>
     );
   }
@@ -80,6 +87,7 @@ function AgentSpacing() {
           value={spacing.count}
           quantity={AGENT_COUNT}
           isLive
+          describedBy={describedBy}
           onCommit={(count) => {
             toolbox.spacing.value = { by: "count", count: Math.round(count) };
           }}
@@ -107,6 +115,7 @@ function AgentSpacing() {
           if (by !== spacing.by) toolbox.spacing.value = FIRST[by];
         }}
       />
+      {said}
     </>
   );
 }
