@@ -110,3 +110,26 @@ test("the playhead comes around when it loops, and stops at the end when it does
   await expect.poll(() => studio.time()).toBeLessThan(2);
   await expect(studio.button("Pause")).toBeVisible();
 });
+
+test("before a stroke it is said whom it places where, and a number out of bounds is corrected with its bounds", async ({
+  studio,
+  page,
+}) => {
+  await studio.makeShow();
+  const options = page.getByRole("group", { name: "Drawing" });
+  await expect(options).toContainText("Every keyframe has the same 12 agents");
+  await studio.keyframes.first().click();
+  await expect(options).toContainText("12 new agents come into every keyframe");
+  await studio.transitions.first().click();
+  await page.getByRole("slider", { name: "Time" }).fill("1");
+  await expect(options).toContainText("Goes to Keyframe 1. 12 new agents come into every keyframe");
+
+  const count = options.getByRole("spinbutton", { name: "Agents" });
+  await count.fill("5001");
+  await count.press("Enter");
+  await expect(count).toHaveValue("5000");
+  await expect(options).toContainText("Between 1 and 5,000");
+  await count.fill("3");
+  await expect(options).not.toContainText("Between");
+  await expect(options).toContainText("3 new agents come into every keyframe");
+});

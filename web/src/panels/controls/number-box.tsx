@@ -1,11 +1,15 @@
-import { useState } from "preact/hooks";
+import { useEffect, useState } from "preact/hooks";
 import { useStudio } from "../studio";
 import { undidScene } from "./field-undo";
-import { clampTo, type Quantity, stepped, stepsOf } from "./quantity";
+import { clampTo, type Quantity, rangeWords, stepped, stepsOf } from "./quantity";
+
+/** How long it is said that a number was corrected, milliseconds. */
+const CORRECTION_TIME = 6000;
 
 /**
  * A number to type, step with the arrows, and read with its unit. It is taken over on Enter and on leaving; Escape
- * leaves it as it was. What is no number keeps its edge in red and is not taken over.
+ * leaves it as it was. What is no number keeps its edge in red and is not taken over; what is too small or too large
+ * becomes what is admissible, and that is said.
  */
 export function NumberBox(props: {
   label: string;
@@ -21,14 +25,24 @@ export function NumberBox(props: {
   describedBy?: string | undefined;
   onCommit(value: number): void;
 }) {
-  const { actions } = useStudio();
+  const { actions, messages } = useStudio();
   const { value, quantity } = props;
   const [draft, setDraft] = useState<string | null>(null);
+  const [correction, setCorrection] = useState<string | null>(null);
+  useEffect(() => {
+    if (correction === null) return;
+    const timer = setTimeout(() => setCorrection(null), CORRECTION_TIME);
+    return () => clearTimeout(timer);
+  }, [correction]);
   const isInvalid = draft !== null && quantity.parse(draft) === null;
 
   function commit(): void {
     const typed = draft === null ? null : quantity.parse(draft);
     setDraft(null);
+    if (typed !== null && typed !== clampTo(quantity, typed)) {
+      setCorrection(rangeWords(quantity));
+      messages.announce(`${props.label}: ${rangeWords(quantity)}`);
+    }
     if (typed !== null && (props.isLive || draft !== quantity.format(value))) props.onCommit(clampTo(quantity, typed));
   }
 
@@ -57,6 +71,7 @@ export function NumberBox(props: {
         onInput={(event) => {
           const typed = quantity.parse(event.currentTarget.value);
           setDraft(event.currentTarget.value);
+          setCorrection(null);
           if (props.isLive && typed !== null) props.onCommit(clampTo(quantity, typed));
         }}
         onBlur={commit}
@@ -76,6 +91,11 @@ export function NumberBox(props: {
         }}
       />
       {quantity.unit && !props.isUnitBeside && <span class="unit">{quantity.unit}</span>}
+      {correction !== null && (
+        <span class="number-range" aria-hidden="true">
+          {correction}
+        </span>
+      )}
     </label>
   );
 }

@@ -1,6 +1,6 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { fractionOf, type Quantity, stepped, stepsOf, valueAt } from "./quantity";
+import { fractionOf, type Quantity, rangeWords, stepped, stepsOf, valueAt } from "./quantity";
 
 const words = { format: String, parse: Number, unit: "" };
 const weight: Quantity = { min: 0.1, max: 100, step: 1, scale: "log", ...words };
@@ -43,4 +43,9 @@ test("a linear slider stands on its steps wherever the pointer is", () => {
 test("shift takes ten steps at once", () => {
   expect(stepsOf({ key: "ArrowUp", shiftKey: true })).toBe(10);
   expect(stepsOf({ key: "a", shiftKey: false })).toBeNull();
+});
+
+test("what is admissible is said with thousands apart and the unit", () => {
+  expect(rangeWords({ ...weight, unit: "×" })).toBe("Between 0.1 and 100 ×");
+  expect(rangeWords({ ...sharing, min: -1000, max: 12345.5 })).toBe("Between -1,000 and 12345.5");
 });

@@ -19,6 +19,16 @@ export function clampTo(quantity: Pick<Quantity, "min" | "max">, value: number):
   return Math.min(quantity.max, Math.max(quantity.min, value));
 }
 
+/** What is admissible, for somebody whose number was corrected: `Between 1 and 5,000`. */
+export function rangeWords({ min, max, unit, format }: Quantity): string {
+  return `Between ${grouped(format(min))} and ${grouped(format(max))} ${unit}`.trim();
+}
+
+/** A whole number of five digits and more, or four, with its thousands apart; anything else as it is. */
+function grouped(written: string): string {
+  return /^-?\d{4,}$/.test(written) ? Number(written).toLocaleString("en-US") : written;
+}
+
 /** Where a value is between the ends, 0..1. */
 export function fractionOf(quantity: Quantity, value: number): number {
   const clamped = clampTo(quantity, value);
