@@ -11,7 +11,7 @@ const MAY_IMPORT: Readonly<Record<string, readonly string[]>> = {
   stage: ["document", "playback"],
   tools: ["document", "playback", "shapes", "stage"],
   theme: [],
-  panels: ["document", "engine", "playback", "stage", "theme", "tools"],
+  panels: ["document", "engine", "playback", "shapes", "stage", "theme", "tools"],
   files: ["document", "engine", "panels"],
 };
 

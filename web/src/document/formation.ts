@@ -72,3 +72,13 @@ export class Formation {
     return new Formation(xy, this.heights);
   }
 }
+
+/** The mean place of a formation. */
+export function barycenterOf({ xy, agentCount }: Formation): Point {
+  let [x, y] = [0, 0];
+  for (let k = 0; k < xy.length; k += 2) {
+    x += xy[k] ?? 0;
+    y += xy[k + 1] ?? 0;
+  }
+  return [x / Math.max(1, agentCount), y / Math.max(1, agentCount)];
+}

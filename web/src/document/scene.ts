@@ -16,6 +16,8 @@ export type AssignmentSpec = Immutable<generated.AssignmentSpec>;
 export type Cost = generated.Cost;
 export type Keyframe = Immutable<generated.Keyframe>;
 export type Segment = Immutable<generated.Segment>;
+/** What a formation travels along: its points as they are kept, with heights where somebody gave them. */
+export type TravelPath = NonNullable<Segment["path"]>;
 export type CrowdSpec = Immutable<generated.CrowdSpec>;
 export type NodeSpec = Immutable<generated.NodeSpec>;
 export type Obstacle = Immutable<generated.Obstacle>;

@@ -1,9 +1,9 @@
 import { updateKeyframe, updateSegment } from "../edit";
-import { Formation, type Point } from "../formation";
+import { barycenterOf, Formation, type Point } from "../formation";
 import { clampCoordinate } from "../limits";
+import type { TravelPath } from "../scene";
 import { snapApart, snapOf } from "../snap";
 import type { Command } from "../store";
-import { barycenterOf, type TravelPath } from "../travel";
 
 /** What the formation of a transition travels along; null for the method's own way. Auto chooses again. A path has a length. */
 export function setPath(index: number, points: readonly Point[] | null, label: string, series?: string): Command {

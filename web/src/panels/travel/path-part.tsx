@@ -1,18 +1,10 @@
 import { useEffect } from "preact/hooks";
 import { setPath, turnFormation } from "../../document/commands/travel";
+import { barycenterOf } from "../../document/formation";
 import { mainTrack, type Segment } from "../../document/scene";
 import { snapOf } from "../../document/snap";
-import {
-  barycenterOf,
-  bowBetween,
-  crosses,
-  curveThrough,
-  followed,
-  lengthAlong,
-  turnAlong,
-  turnBetween,
-} from "../../document/travel";
 import { formatAngle, lengthWithUnit } from "../../document/units";
+import { bowBetween, crosses, curveThrough, followed, lengthAlong, turnAlong, turnBetween } from "../../shapes/travel";
 import { Row } from "../controls/row";
 import { Section } from "../inspector/section";
 import { useStudio } from "../studio";

@@ -1,11 +1,8 @@
-import { placesAlong } from "../shapes/path";
-import { smoothed } from "../shapes/stroke";
-import type { Formation, Point } from "./formation";
-import type { Segment } from "./scene";
-import { type Snap, snapPoint } from "./snap";
-
-/** What a formation travels along: its points as they are kept, with heights where somebody gave them. */
-export type TravelPath = NonNullable<Segment["path"]>;
+import { barycenterOf, type Formation, type Point } from "../document/formation";
+import type { TravelPath } from "../document/scene";
+import { type Snap, snapPoint } from "../document/snap";
+import { placesAlong } from "./path";
+import { smoothed } from "./stroke";
 
 /** Pieces of the curve between two points, as drawn. */
 const PIECES = 12;
@@ -17,16 +14,6 @@ const NEAR = 0.012;
 const RISE = 0.25;
 /** A bow from a place back to it, meters. */
 const LOOP = 8;
-
-/** The mean place of a formation. */
-export function barycenterOf({ xy, agentCount }: Formation): Point {
-  let [x, y] = [0, 0];
-  for (let k = 0; k < xy.length; k += 2) {
-    x += xy[k] ?? 0;
-    y += xy[k + 1] ?? 0;
-  }
-  return [x / Math.max(1, agentCount), y / Math.max(1, agentCount)];
-}
 
 /**
  * The points of a path where they are followed from one barycenter to another: each as far from the straight way between those as it is

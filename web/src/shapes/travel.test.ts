@@ -1,8 +1,8 @@
 import fc from "fast-check";
 import { expect, test } from "vitest";
-import { cutPath } from "./cut-path";
-import { Formation, type Point } from "./formation";
-import { CENTIMETER } from "./snap";
+import { cutPath } from "../document/cut-path";
+import { Formation, type Point } from "../document/formation";
+import { CENTIMETER } from "../document/snap";
 import {
   bowBetween,
   crosses,
