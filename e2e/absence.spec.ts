@@ -48,3 +48,33 @@ test("who is absent from both formations is not seen on the way", async ({ studi
   await studio.button("Undo").click();
   expect((await studio.sceneFile()).keyframes.map((keyframe) => keyframe.absent)).toEqual([undefined, undefined]);
 });
+
+test("a formation with fewer places leaves a rest, who stay as the person says", async ({ studio, page }) => {
+  await studio.makeShow();
+  const { inspector } = studio;
+  await studio.keyframes.nth(1).click();
+  await studio.tool("Select").click();
+  // The left foot of the gable: some of its places are for nobody.
+  await studio.drag([
+    [0.3, 0.5],
+    [0.45, 0.9],
+  ]);
+  await inspector.getByRole("checkbox", { name: /^Absent here/ }).check();
+  const gone = (await studio.sceneFile()).keyframes[1]?.absent?.length ?? 0;
+  expect(gone).toBeGreaterThan(0);
+  await page.keyboard.press("Escape");
+
+  await studio.transitions.first().click();
+  await inspector.getByRole("combobox", { name: "Assignment" }).selectOption("Squared");
+  await inspector.getByRole("radio", { name: "Stay" }).check();
+  await expect(inspector.getByText(/^\d+\.\d m in all, the longest walk \d/)).toBeVisible();
+  await inspector.getByRole("button", { name: "Accept" }).click();
+  await expect(inspector.getByRole("button", { name: "Accept" })).toHaveCount(0);
+  const { keyframes } = await studio.sceneFile();
+  expect(keyframes[1]?.absent).toBeUndefined();
+  const stays = keyframes[1]?.positions.filter(([x, y], agent) => {
+    const was = keyframes[0]?.positions[agent];
+    return was?.[0] === x && was[1] === y;
+  });
+  expect(stays).toHaveLength(gone);
+});

@@ -289,6 +289,9 @@ pub struct Assign {
     /// As if everybody were carried as the locked agents are to their places
     #[arg(long)]
     pub predict: bool,
+    /// Those who take the places of the absent at --to: leave, stay where they are, or wait there at a bench
+    #[arg(long, value_name = "REST", default_value = "leave")]
+    pub rest: String,
     /// Print JSON; without it one place a line, then the cost
     #[arg(long)]
     pub json: bool,

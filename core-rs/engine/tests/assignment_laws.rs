@@ -3,7 +3,7 @@
 mod common;
 
 use common::{any_formation, grid, relabeled, ring, scattered};
-use eigenform::assignment::{Assignment, AssignmentSpec, Cost, Question, assign, cost_of, maximize, solve, squared};
+use eigenform::assignment::{Assignment, AssignmentSpec, Cost, Job, Question, assign, cost_of, maximize, solve, squared};
 use eigenform::formation::Formation;
 use glam::DVec2;
 use pathfinding::kuhn_munkres::kuhn_munkres_min;
@@ -271,4 +271,20 @@ fn a_target_taken_twice_or_missing_is_no_assignment() {
     assert_eq!(Assignment::new(vec![0, 0]), None);
     assert_eq!(Assignment::new(vec![1, 2]), None);
     assert!(Assignment::new(vec![2, 0, 1]).is_some());
+}
+
+proptest! {
+    #[test]
+    fn slots_that_cost_nothing_leave_the_others_to_the_nearest((source, target) in whole_formations(), seed in any::<u64>()) {
+        let spared: Vec<u32> = (0..source.len() as u32).filter(|slot| seed.rotate_left(*slot) & 3 == 0).collect();
+        let costs: Vec<Vec<i64>> = source.iter().map(|from| {
+            let cost = |(slot, to): (u32, &DVec2)| if spared.contains(&slot) { 0 } else { from.distance_squared(*to) as i64 };
+            (0..).zip(&target).map(cost).collect()
+        }).collect();
+        let [source, target] = [source, target].map(Formation::new);
+        let spec = AssignmentSpec::default();
+        let mut job = Job::new(&question(&source, &target, &spec)).unwrap().sparing(&spared);
+        while job.step().unwrap() < 1.0 {}
+        assert_least(&costs, &job.into_assignment());
+    }
 }

@@ -111,8 +111,16 @@ impl Engine {
     }
 
     /// Sets out to find who goes where between the ends of a segment, as `recipe` (JSON) says; takes the place of any other errand.
-    pub fn begin_assignment(&mut self, segment: usize, recipe: &str, is_flipped: bool, is_predicted: bool) -> Result<(), Refusal> {
-        self.workshop.errand = Some(assignment(at_hand(self.scene.as_ref()), segment, recipe, is_flipped, is_predicted)?);
+    /// `stays`: whoever takes the place of an absent agent stays where it is.
+    pub fn begin_assignment(
+        &mut self,
+        segment: usize,
+        recipe: &str,
+        is_flipped: bool,
+        is_predicted: bool,
+        stays: bool,
+    ) -> Result<(), Refusal> {
+        self.workshop.errand = Some(assignment(at_hand(self.scene.as_ref()), segment, recipe, [is_flipped, is_predicted], stays)?);
         Ok(())
     }
 
@@ -236,12 +244,14 @@ fn places(way: &[DVec2]) -> Vec<[f64; 2]> {
     way.iter().map(DVec2::to_array).collect()
 }
 
-fn assignment(scene: &Scene, segment: usize, recipe: &str, is_flipped: bool, is_predicted: bool) -> Result<Errand, Refusal> {
+fn assignment(scene: &Scene, segment: usize, recipe: &str, [is_flipped, is_predicted]: [bool; 2], stays: bool) -> Result<Errand, Refusal> {
     let spec = &scene::document::read_assignment(recipe)?;
     let [source, target] = scene.way_at(segment)?;
     let sections = &scene::group_levels(&scene.groups, source.agent_count());
     let question = Question { source, target, spec, sections, is_flipped, is_predicted };
-    Ok(Errand::Assignment(assignment::Job::around(&question, &scene.obstacle_shapes(), scene.minimum_distance)?))
+    let absent = scene.main_track().keyframes.get(segment + 1).map_or(&[][..], |target| &target.absent);
+    let job = assignment::Job::around(&question, &scene.obstacle_shapes(), scene.minimum_distance)?;
+    Ok(Errand::Assignment(job.sparing(if stays { absent } else { &[] })))
 }
 
 fn comparison(way: &str, recipe: &str, pace: Option<f64>) -> Result<Comparison, Refusal> {

@@ -212,7 +212,12 @@ export interface AssignmentQuestion {
   readonly isFlipped: boolean;
   /** As if everybody were carried as the locked agents are. */
   readonly isPredicted: boolean;
+  /** What becomes of those who take the places of the absent; they leave where it is not said. */
+  readonly rest?: Rest;
 }
+
+/** They are absent from the formation, stay where they are, or wait at the places of the absent. */
+export type Rest = "leave" | "stay" | "bench";
 
 /** Who takes which place, and how they get there around what stands in the way. */
 export interface FoundPlaces {

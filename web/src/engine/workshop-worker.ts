@@ -22,9 +22,9 @@ const handlers: Handlers<Engine> = {
     const head = JSON.parse(to.open_recording(text)) as Omit<RecordingData, "xy">;
     return { ...head, xy: to.recording_positions() };
   },
-  assignment: ({ scene, segment, recipe, isFlipped, isPredicted }, to, id) => {
+  assignment: ({ scene, segment, recipe, isFlipped, isPredicted, rest }, to, id) => {
     take(scene, to);
-    to.begin_assignment(segment, JSON.stringify(recipe), isFlipped, isPredicted);
+    to.begin_assignment(segment, JSON.stringify(recipe), isFlipped, isPredicted, rest === "stay");
     return finish(id, to);
   },
   affinity: ({ scene, keyframe, agents, metric, times }, to, id) => {

@@ -12,6 +12,27 @@ fn assign_finds_who_stays() {
     assert_eq!(parsed(&text), json!({ "assignment": [3, 0, 1, 2], "cost": 0.0 }));
 }
 
+#[test]
+fn assign_says_who_has_no_place_and_what_becomes_of_them() {
+    let desk = Desk::new();
+    let scene = json!({
+        "format": "eigenform", "version": 1,
+        "keyframes": [
+            { "positions": [[0, 0], [5, 0], [6, 0]] },
+            { "time": 4, "positions": [[0, 1], [4, 0], [6, 1]], "absent": [0] },
+        ],
+    });
+    desk.put("few.json", &scene.to_string());
+    let asked = |rest: &str| parsed(&desk.answer(&["assign", "few.json", "--from", "0", "--to", "1", "--json", "--rest", rest]));
+    // Two places, at 4 and 6: agents 1 and 2 are a meter away each. Agent 0 walks a meter to the exit, or nowhere.
+    assert_eq!(asked("leave"), json!({ "assignment": [0, 1, 2], "cost": 3.0, "rest": [0] }));
+    assert_eq!(asked("bench"), json!({ "assignment": [0, 1, 2], "cost": 3.0, "rest": [0] }));
+    assert_eq!(asked("stay"), json!({ "assignment": [0, 1, 2], "cost": 2.0, "rest": [0] }));
+    let refused = desk.run(&["assign", "few.json", "--from", "0", "--to", "1", "--rest", "hide"]);
+    assert_eq!(refused.code, 2);
+    assert!(refused.stderr.starts_with("error: unknown-value: "), "{}", refused.stderr);
+}
+
 /// Two on either side of a wall, 2 m from the slot across it and 3 m from the one beside them.
 fn beside_a_wall([low, high]: [f64; 2], distance: f64) -> String {
     json!({

@@ -55,6 +55,8 @@ pub(super) struct Ways {
     effort: Option<Effort>,
     /// By source, where sources are alike; empty where none are.
     kinds: Vec<u32>,
+    /// By target, whether it costs nothing whoever takes it; empty where none does.
+    spared: Vec<bool>,
 }
 
 /// One coordinate of everybody.
@@ -77,7 +79,7 @@ impl Ways {
         let axis = |of: fn(&DVec3) -> f64| Axis { sources: sources.iter().map(of).collect(), targets: targets.iter().map(of).collect() };
         let mut axes = vec![axis(|p| p.x), axis(|p| p.y), axis(|p| p.z)];
         axes.retain(|axis| axis.sources.iter().chain(&axis.targets).any(|&at| at != axis.sources[0]));
-        Self { measure, source_count: sources.len(), axes, around: None, effort: None, kinds: vec![] }
+        Self { measure, source_count: sources.len(), axes, around: None, effort: None, kinds: vec![], spared: vec![] }
     }
 
     /// The same; in plan the ways are those.
@@ -98,10 +100,17 @@ impl Ways {
         self
     }
 
+    /// The same; some targets cost nothing.
+    pub(super) fn sparing(mut self, spared: Vec<bool>) -> Self {
+        self.spared = spared;
+        self
+    }
+
     /// The problem of half of the sources and half of the targets.
     pub(super) fn halved(&self) -> Self {
         let half = self.with_half_the_sources().map_axes(|axis| Axis { targets: half_of(&axis.targets), ..axis });
-        Self { around: half.around.map(|around| Around { slots: half_of(&around.slots), ..around }), ..half }
+        let spared = half_of(&half.spared);
+        Self { around: half.around.map(|around| Around { slots: half_of(&around.slots), ..around }), spared, ..half }
     }
 
     /// The costs of half of the sources to all targets.
@@ -144,6 +153,9 @@ impl Costs for Ways {
             for (out, to) in row.iter_mut().zip(&spacing.targets) {
                 *out = lambda * *out + (1.0 - lambda) * (from - to) * (from - to);
             }
+        }
+        for (out, _) in row.iter_mut().zip(&self.spared).filter(|(_, is_spared)| **is_spared) {
+            *out = 0.0;
         }
     }
 

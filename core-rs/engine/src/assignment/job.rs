@@ -55,6 +55,8 @@ pub struct Job {
     survey: Option<Box<dyn Terrain>>,
     /// The same once it is known that they are in the way.
     terrain: Option<Arc<dyn Terrain>>,
+    /// By slot, whether it costs nothing; empty where none does.
+    spared: Vec<bool>,
     /// By agent and by slot: mean lengths of Delaunay edges; empty unless the cost asks for them.
     spacings: [Vec<f64>; 2],
     tasks: Vec<Task>,
@@ -108,6 +110,7 @@ impl Job {
             is_in_place: !is_flipped && !is_predicted,
             survey: None,
             terrain: None,
+            spared: vec![],
             spacings: if spec.cost == Cost::LeastEffort { [spacings(source), spacings(target)] } else { [vec![], vec![]] },
             tasks: vec![],
             current: None,
@@ -128,6 +131,18 @@ impl Job {
             job.survey = Some(Box::new(Ground::new([question.source, question.target], shapes, distance, norm)?));
         }
         Ok(job)
+    }
+
+    /// The same where some slots cost nothing whoever takes them: those who do stay where they are.
+    #[must_use]
+    pub fn sparing(mut self, slots: &[u32]) -> Self {
+        if !slots.is_empty() {
+            self.spared = vec![false; self.slots.len()];
+            for slot in slots {
+                self.spared[*slot as usize] = true;
+            }
+        }
+        self
     }
 
     /// Works for a moment; how far it is, 1 when it is done. Refuses obstacles that leave an agent no way to a slot.
@@ -267,16 +282,24 @@ impl Job {
         let ways = if let Some(around) = around {
             Ways::new(measure, &heights_of(&sources), &heights_of(&targets)).leading(around)
         } else {
-            if measure == Measure::Squared {
+            // Nobody's squares change alike beside those that cost nothing.
+            if measure == Measure::Squared && self.spared.is_empty() {
                 center(&mut sources);
                 center(&mut targets);
             }
             Ways::new(measure, &sources, &targets)
         };
         match &self.spacings {
-            [from, _] if from.is_empty() => ways,
-            [from, to] => ways.with_effort(self.spec.lambda, only(from, &task.agents), only(to, &task.slots)),
+            [from, _] if from.is_empty() => ways.sparing(self.spared_of(task)),
+            [from, to] => {
+                let ways = ways.with_effort(self.spec.lambda, only(from, &task.agents), only(to, &task.slots));
+                ways.sparing(self.spared_of(task))
+            }
         }
+    }
+
+    fn spared_of(&self, task: &Task) -> Vec<bool> {
+        if self.spared.is_empty() { vec![] } else { only(&self.spared, &task.slots) }
     }
 
     /// What is in the way between these agents and slots.
@@ -302,11 +325,13 @@ impl Job {
             let around = Around { terrain, sets: Arc::new(sets), sources: task.parts.clone(), slots: task.slots.clone() };
             Ways::new(Measure::Squared, &heights_of(&sources), &heights_of(&targets)).leading(around)
         } else {
-            center(&mut sources);
-            center(&mut targets);
+            if self.spared.is_empty() {
+                center(&mut sources);
+                center(&mut targets);
+            }
             Ways::new(Measure::Squared, &sources, &targets)
         };
-        ways.with_kinds(task.parts.clone())
+        ways.sparing(self.spared_of(task)).with_kinds(task.parts.clone())
     }
 }
 

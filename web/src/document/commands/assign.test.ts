@@ -2,6 +2,7 @@ import { expect, test } from "vitest";
 import { DEFAULT_AGENT, DEFAULT_SEGMENT, emptyScene, keyframeAt } from "../defaults";
 import { Formation } from "../formation";
 import { mainTrack, type Scene } from "../scene";
+import { setAbsent } from "./absence";
 import { deleteAgents } from "./agents";
 import { assignPlaces } from "./assign";
 
@@ -34,4 +35,21 @@ test("locks follow their agents, and go with them", () => {
   const locked = assignPlaces(0, [2, 0, 1], { ...recipe, locks: [0, 2].map((agent) => [agent, agent] as const) });
   const left = deleteAgents(new Set([0])).apply(locked.apply(scene));
   expect(mainTrack(left).segments[0]?.assignment?.locks).toEqual([[1, 1]]);
+});
+
+test("the rest leave, stay where they were, or wait at the places of the absent", () => {
+  const gone = setAbsent(1, new Set([0]), true).apply(scene);
+  // Agent 2 takes the place of agent 0, who is absent.
+  const slots = [2, 1, 0];
+  const at = (rest: "leave" | "stay" | "bench") => {
+    return mainTrack(assignPlaces(0, slots, recipe, rest).apply(gone)).keyframes[1];
+  };
+  const before = mainTrack(gone).keyframes;
+  expect(at("leave")?.absent).toEqual([2]);
+  expect(at("leave")?.positions.point(2)).toEqual(before[1]?.positions.point(0));
+  expect(at("bench")?.absent).toEqual([]);
+  expect(at("bench")?.positions.point(2)).toEqual(before[1]?.positions.point(0));
+  expect(at("stay")?.absent).toEqual([]);
+  expect(at("stay")?.positions.point(2)).toEqual(before[0]?.positions.point(2));
+  expect(at("stay")?.positions.point(0)).toEqual(before[1]?.positions.point(2));
 });

@@ -9,7 +9,7 @@ import { useStudio } from "../studio";
 import { useAgentColors, usePalette } from "../timeline/use-paint";
 import { openTrial } from "./create-trial";
 import { drawTrial, type TrialSketch } from "./draw-trial";
-import { nearestTo } from "./walks";
+import { nearestTo, withStays } from "./walks";
 
 /** CSS pixels from the pointer within which an agent or a place is meant. */
 const REACH = 22;
@@ -50,8 +50,12 @@ export function AssignmentOverlay() {
         const { locks } = trial.question.value.recipe;
         const { obstacles } = document.scene.value;
         const found = trial.found.value;
-        const [slots, bends] = [found?.slots ?? null, found?.bends ?? []];
-        const sketch: TrialSketch = { from: places[0], to: places[1], slots, bends, locks, drag, obstacles };
+        const { rest, segment } = trial.question.value;
+        const absent = mainTrack(document.scene.value).keyframes[segment + 1]?.absent ?? [];
+        const [from, target] = places;
+        const { to, bends } =
+          found && rest === "stay" ? withStays(from, target, absent, found) : { to: target, bends: found?.bends ?? [] };
+        const sketch: TrialSketch = { from, to, slots: found?.slots ?? null, bends, locks, drag, obstacles };
         drawTrial(context, sketch, { camera, size, palette, colors });
       }),
     [view, palette, stored],

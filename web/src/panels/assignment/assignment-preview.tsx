@@ -3,15 +3,23 @@ import { assignPlaces } from "../../document/commands/assign";
 import { agentLabel } from "../../document/queries";
 import { mainTrack, type Scene } from "../../document/scene";
 import { lengthWithUnit } from "../../document/units";
+import type { Rest } from "../../engine/api";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
+import { Segmented } from "../controls/segmented";
 import { Slider } from "../controls/slider";
 import { Switch } from "../controls/switch";
 import { SHARING } from "../inspector/quantities";
 import { useStudio } from "../studio";
 import { type AssignmentTrial, openTrial } from "./create-trial";
 import { LockList } from "./lock-list";
-import { type Walks, walksOf } from "./walks";
+import { type Walks, walksOf, withStays } from "./walks";
+
+const RESTS: readonly { readonly value: Rest; readonly label: string }[] = [
+  { value: "leave", label: "Leave" },
+  { value: "stay", label: "Stay" },
+  { value: "bench", label: "Bench" },
+];
 
 /** What may be told, what comes of it, and taking it over as one step. */
 export function AssignmentPreview(props: { index: number; trial: AssignmentTrial; onClose(): void }) {
@@ -20,15 +28,17 @@ export function AssignmentPreview(props: { index: number; trial: AssignmentTrial
   const scene = document.scene.value;
   const { keyframes } = mainTrack(scene);
   const [from, to] = [keyframes[index]?.positions, keyframes[index + 1]?.positions];
-  const { recipe, isFlipped, isPredicted } = trial.question.value;
+  const { recipe, isFlipped, isPredicted, rest = "leave" } = trial.question.value;
+  const absent = keyframes[index + 1]?.absent ?? [];
   const found = trial.found.value;
   useEffect(() => trial.ask(), [trial, from, to, scene.groups, scene.obstacles, scene.minimumDistance]);
   useOnStage(trial, onClose);
   if (!from || !to) return null;
+  const then = found && (rest === "stay" ? withStays(from, to, absent, found) : { to, bends: found.bends });
 
   function accept(): void {
     if (!found) return;
-    document.perform(assignPlaces(index, found.slots, recipe));
+    document.perform(assignPlaces(index, found.slots, recipe, rest));
     messages.announce("Places assigned");
     onClose();
   }
@@ -53,6 +63,16 @@ export function AssignmentPreview(props: { index: number; trial: AssignmentTrial
               onCommit={(lambda) => trial.setRecipe({ lambda })}
             />
           </span>
+        </Row>
+      )}
+      {absent.length > 0 && (
+        <Row label="The rest" note={`${absent.length} without a place`}>
+          <Segmented
+            label="The rest"
+            value={rest}
+            choices={RESTS}
+            onChoose={(chosen) => trial.setWay({ rest: chosen })}
+          />
         </Row>
       )}
       {recipe.cost !== "keep" && (
@@ -83,7 +103,7 @@ export function AssignmentPreview(props: { index: number; trial: AssignmentTrial
       <WalkLines
         scene={scene}
         now={walksOf(from, to, found?.ownBends)}
-        then={found && walksOf(from, to, found.bends, found.slots)}
+        then={then && found && walksOf(from, then.to, then.bends, found.slots)}
       />
       <UnderWay trial={trial} />
       <div class="inspector-buttons">

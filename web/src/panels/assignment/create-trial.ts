@@ -12,7 +12,7 @@ export interface AssignmentTrial {
   /** Why there is no answer, in a sentence. */
   readonly problem: ReadonlySignal<string | null>;
   setRecipe(change: Partial<Omit<AssignmentSpec, "locks">>): void;
-  setWay(change: Partial<Pick<AssignmentQuestion, "isFlipped" | "isPredicted">>): void;
+  setWay(change: Partial<Pick<AssignmentQuestion, "isFlipped" | "isPredicted" | "rest">>): void;
   /** This agent takes this place, whatever it costs; who had one of them locked has not any more. */
   lock(agent: number, slot: number): void;
   unlock(agent: number): void;

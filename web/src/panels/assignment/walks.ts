@@ -43,3 +43,15 @@ export function nearestTo([x, y]: readonly [x: number, y: number], formation: Fo
   }
   return nearest;
 }
+
+/** A target and the ways to it once it is known who takes which place: who stays is where it was, at the place of an absent agent. */
+export function withStays(
+  from: Formation,
+  to: Formation,
+  absent: readonly number[],
+  { slots, bends }: { readonly slots: readonly number[]; readonly bends: Bends },
+): { readonly to: Formation; readonly bends: Bends } {
+  const isStaying = (agent: number) => absent.includes(slots[agent] ?? -1);
+  const stays = slots.flatMap((slot, agent) => (isStaying(agent) ? [[slot, from.point(agent)] as const] : []));
+  return { to: to.with(stays), bends: bends.map((way, agent) => (isStaying(agent) ? [] : way)) };
+}
