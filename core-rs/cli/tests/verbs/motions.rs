@@ -222,7 +222,7 @@ fn spread_gives_those_who_are_stuck_room_and_leaves_all_else() {
     let block = |x: f64, y: f64| (0..9).map(move |k| [x + f64::from(k % 3), y + f64::from(k / 3)]);
     let keyframes = json!([
         { "positions": block(-6.0, 0.0).chain(block(0.0, -6.0)).collect::<Vec<_>>() },
-        { "time": 6, "positions": block(6.0, 0.0).chain(block(0.0, 6.0)).collect::<Vec<_>>() },
+        { "time": 6, "positions": block(6.0, 0.0).rev().chain(block(0.0, 6.0).rev()).collect::<Vec<_>>() },
     ]);
     let scene = json!({
         "format": "eigenform", "version": 1, "minimumDistance": 0.8, "join": "smooth", "keyframes": keyframes,
