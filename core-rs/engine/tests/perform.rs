@@ -212,17 +212,21 @@ fn block([x, y]: [f64; 2]) -> impl Iterator<Item = [f64; 2]> {
     (0..9).map(move |k| [x + f64::from(k % 3), y + f64::from(k / 3)])
 }
 
-/// Two blocks that pass through each other at right angles on straight ways and turn upside down, so that no files are kept, stand for `hold` seconds and go on.
+/// Two blocks that pass through each other at right angles on straight ways, the first of which exchanges two ranks, so that it keeps no
+/// files; they stand for `hold` seconds and go on.
 fn crossing(minimum_distance: f64, hold: f64) -> Scene {
-    let pair = |one, other| block(one).chain(block(other)).collect::<Vec<_>>();
-    let turned = |one, other| pair(other, one).into_iter().rev().collect::<Vec<_>>();
+    let exchanged = |at| {
+        let own: Vec<_> = block(at).collect();
+        [&own[3..6], &own[..3], &own[6..]].concat()
+    };
+    let pair = |one: Vec<[f64; 2]>, other| one.into_iter().chain(block(other)).collect::<Vec<_>>();
     let segment = serde_json::json!({ "method": "linear", "avoidance": true });
     let text = serde_json::json!({
         "format": "eigenform", "version": 1, "minimumDistance": minimum_distance, "join": "smooth",
         "keyframes": [
-            { "positions": pair([-6.0, 0.0], [0.0, -6.0]) },
-            { "time": 6, "hold": hold, "positions": turned([6.0, 0.0], [0.0, 6.0]) },
-            { "time": 12, "positions": turned([10.0, 3.0], [-3.0, 10.0]) },
+            { "positions": pair(block([-6.0, 0.0]).collect(), [0.0, -6.0]) },
+            { "time": 6, "hold": hold, "positions": pair(exchanged([6.0, 0.0]), [0.0, 6.0]) },
+            { "time": 12, "positions": pair(exchanged([10.0, 3.0]), [-3.0, 10.0]) },
         ],
         "segments": [segment, segment],
     });

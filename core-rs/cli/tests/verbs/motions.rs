@@ -220,9 +220,11 @@ fn spread_gives_those_who_are_stuck_room_and_leaves_all_else() {
     assert_eq!(parsed(&outcome.stdout)["keyframes"].as_array().map(Vec::len), Some(2));
     assert_eq!(desk.run(&["spread", "show.json", "--segment", "1"]).code, 2);
     let block = |x: f64, y: f64| (0..9).map(move |k| [x + f64::from(k % 3), y + f64::from(k / 3)]);
+    // Two ranks change places.
+    let exchanged = [3, 4, 5, 0, 1, 2, 6, 7, 8].into_iter().map(|k| [6.0 + f64::from(k % 3), f64::from(k / 3)]);
     let keyframes = json!([
         { "positions": block(-6.0, 0.0).chain(block(0.0, -6.0)).collect::<Vec<_>>() },
-        { "time": 6, "positions": block(6.0, 0.0).rev().chain(block(0.0, 6.0).rev()).collect::<Vec<_>>() },
+        { "time": 6, "positions": exchanged.chain(block(0.0, 6.0)).collect::<Vec<_>>() },
     ]);
     let scene = json!({
         "format": "eigenform", "version": 1, "minimumDistance": 0.8, "join": "smooth", "keyframes": keyframes,
