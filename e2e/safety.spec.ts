@@ -139,3 +139,23 @@ async function openAll(studio: Studio, files: readonly (readonly [name: string, 
     [files, LONGEST] as const,
   );
 }
+
+/** A part of the page that cannot be drawn the first time. */
+const FAILS_ONCE = `
+  let count = 0;
+  export const HelpDialog = () => {
+    count += 1;
+    if (count === 1) throw new Error("a dialog that fails once");
+    return null;
+  };
+`;
+
+test("a dialog that cannot be drawn says so, and can be tried again", async ({ studio, page, troubles }) => {
+  await page.route(/\/help-[^/]*\.js$/, (route) => route.fulfill({ contentType: "text/javascript", body: FAILS_ONCE }));
+  await studio.openFirst();
+  await studio.button("Help").click();
+  await expect(page.getByRole("dialog", { name: "Something went wrong here." })).toContainText("Your scene is safe.");
+  await studio.dialog.getByRole("button", { name: "Try again" }).click();
+  await expect(studio.dialog).toHaveCount(0);
+  expect(troubles.splice(0).join()).toContain("a dialog that fails once");
+});

@@ -1,4 +1,6 @@
+import type { Aside } from "./aside";
 import { lazily } from "./lazily";
+import { Safely } from "./safely";
 import { useStudio } from "./studio";
 
 const ModesPanel = lazily(() => import("./modes/modes-panel").then((part) => part.ModesPanel));
@@ -13,7 +15,17 @@ const PathOverlay = lazily(() => import("./travel/path-overlay").then((part) => 
 
 /** What is open beside the show: over the drawing and below the pills that float there, or in the inspector's place. */
 export function Asides({ place }: { place: "stage" | "side" }) {
-  switch (useStudio().aside.value?.kind) {
+  const kind = useStudio().aside.value?.kind;
+  return (
+    // One overlay serves both, with its panel and without.
+    <Safely key={kind === "original" ? "recording" : kind} {...(place === "stage" ? { instead: () => null } : {})}>
+      <Shown kind={kind} place={place} />
+    </Safely>
+  );
+}
+
+function Shown({ kind, place }: { kind: Aside["kind"] | undefined; place: "stage" | "side" }) {
+  switch (kind) {
     case "modes":
       return place === "stage" ? <ModesOverlay /> : <ModesPanel />;
     case "recording":

@@ -1,6 +1,8 @@
 import type { ComponentType } from "preact";
 import { lazily } from "../lazily";
+import { IS_SAFE, Safely, WENT_WRONG } from "../safely";
 import type { DialogRequest, Dialogs } from "./dialogs";
+import { Frame } from "./frame";
 import type { DialogServices } from "./services";
 
 /** What every dialog is given. */
@@ -31,5 +33,22 @@ export function DialogHost({ dialogs, services }: { dialogs: Dialogs; services: 
   if (!request) return null;
   // The dialog is the one of the request's kind, which the types of a record by kind cannot say.
   const Dialog = DIALOGS[request.kind] as ComponentType<DialogProps>;
-  return <Dialog key={request.kind} request={request} services={services} dialogs={dialogs} />;
+  return (
+    <Safely key={request.kind} instead={(again) => <Failed onAgain={again} onClose={dialogs.close} />}>
+      <Dialog request={request} services={services} dialogs={dialogs} />
+    </Safely>
+  );
+}
+
+function Failed({ onAgain, onClose }: { onAgain(): void; onClose(): void }) {
+  return (
+    <Frame title={WENT_WRONG} size="small" onClose={onClose}>
+      <p class="dialog-text">{IS_SAFE}</p>
+      <div class="dialog-answers">
+        <button type="button" class="button primary" autofocus onClick={onAgain}>
+          Try again
+        </button>
+      </div>
+    </Frame>
+  );
 }

@@ -5,6 +5,7 @@ import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
 import { lazily } from "../lazily";
 import { moveFocus } from "../roving";
+import { Safely } from "../safely";
 import { SheetGrip } from "../sheet";
 import { useStudio } from "../studio";
 
@@ -42,7 +43,10 @@ export function Inspector({ isSheetOpen }: { isSheetOpen: Signal<boolean> }) {
         </TabButton>
       </div>
       <div class="tab-panel" id="inspector-panel" role="tabpanel" aria-labelledby={`tab-${tab.value}`}>
-        {tab.value === "agents" ? <AgentsTable /> : <Panel />}
+        {/* Another selection is another try. */}
+        <Safely key={`${tab.value} ${document.selection.value.kind}`}>
+          {tab.value === "agents" ? <AgentsTable /> : <Panel />}
+        </Safely>
       </div>
     </section>
   );
