@@ -3,11 +3,15 @@ import { SlidersHorizontal, X } from "lucide";
 import { useRef } from "preact/hooks";
 import { Icon } from "../theme/icons";
 import { useStudio } from "./studio";
+import { penOn } from "./travel/pen";
 
 /** A pull of the grip this far closes the sheet, CSS pixels. */
 const FAR_ENOUGH = 60;
 
-/** On a narrow screen the inspector is a sheet over the stage, which opens for what has nothing else to show. */
+/**
+ * On a narrow screen the inspector is a sheet over the stage, which opens for what has nothing else to show and makes way
+ * for the pen of a path.
+ */
 export function useSheet(): Signal<boolean> {
   const { document } = useStudio();
   const isOpen = useSignal(false);
@@ -15,6 +19,9 @@ export function useSheet(): Signal<boolean> {
     const { kind } = document.selection.value;
     if (kind === "transition" || kind === "tie") isOpen.value = true;
     if (kind === "none") isOpen.value = false;
+  });
+  useSignalEffect(() => {
+    if (penOn.value !== null) isOpen.value = false;
   });
   return isOpen;
 }

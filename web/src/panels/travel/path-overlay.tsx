@@ -6,7 +6,7 @@ import { barycenterOf, type Point } from "../../document/formation";
 import { mainTrack } from "../../document/scene";
 import { nudgeSteps, snapOf, snapPoint } from "../../document/snap";
 import { extended, isMeant } from "../../shapes/stroke";
-import { curveThrough, followed, pathOfStroke, settled } from "../../shapes/travel";
+import { bowBetween, curveThrough, followed, pathOfStroke, settled } from "../../shapes/travel";
 import { toScreen, toStage } from "../../stage/camera";
 import { useStudio } from "../studio";
 import { PathPoint } from "./path-point";
@@ -88,7 +88,36 @@ export function PathOverlay() {
           }}
         />
       )}
+      {isDrawing && (
+        <PenBar
+          onBow={() => {
+            penOn.value = null;
+            document.perform(setPath(index, bowBetween(from, to, snap), "Draw path"));
+          }}
+        />
+      )}
     </div>
+  );
+}
+
+/** What Enter and Escape do, where the inspector has made way and there may be no keys. */
+function PenBar({ onBow }: { onBow(): void }) {
+  return (
+    <fieldset class="floating travel-bar" aria-label="Path">
+      <p>Draw from where they stand to where they go.</p>
+      <button type="button" class="button" onClick={onBow}>
+        Make a bow
+      </button>
+      <button
+        type="button"
+        class="button"
+        onClick={() => {
+          penOn.value = null;
+        }}
+      >
+        Cancel
+      </button>
+    </fieldset>
   );
 }
 
