@@ -6,6 +6,17 @@ const svg = (inside: string) => `<svg xmlns="http://www.w3.org/2000/svg" viewBox
 /** Two discs beside each other: nobody stands in the 12 m between them. */
 const TWO = svg('<g fill="gold"><circle cx="20" cy="30" r="18"/><circle cx="70" cy="30" r="18"/></g>');
 
+/** The bytes of a PNG without its second half. */
+function cutPicture({ page }: Studio): Promise<readonly number[]> {
+  return page.evaluate(async () => {
+    const canvas = document.createElement("canvas");
+    const context = canvas.getContext("2d");
+    for (let x = 0; x < canvas.width; x += 2) context?.fillRect(x, (x * x) % canvas.height, 1, 40);
+    const whole = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, "image/png"));
+    return [...new Uint8Array((await whole?.arrayBuffer()) ?? [])].slice(0, (whole?.size ?? 0) / 2);
+  });
+}
+
 async function place(studio: Studio): Promise<void> {
   await studio.dialog.getByRole("button", { name: /^Place \d+ agents$/ }).click();
   await expect(studio.dialog).toHaveCount(0);
@@ -31,6 +42,13 @@ test("text and a dropped picture become formations of exactly the agents there a
   await expect(says).toHaveText("There is no shape in this picture: all of it is transparent.");
   await studio.drop("broken.png", "no picture at all");
   await expect(says).toHaveText("broken.png cannot be read; PNG, JPEG, WebP and SVG can.");
+  await studio.drop("white.svg", svg('<path d="M -9 -9 H 99 V 99 H -9 Z" fill="white"/>'));
+  await expect(says).toHaveText("There is no shape in this picture: all of it has one color.");
+  await studio.drop("cut.png", await cutPicture(studio));
+  await expect(says).toHaveText("cut.png cannot be decoded; it may be cut short.");
+  await studio.dialog.getByRole("radio", { name: "Path" }).check();
+  await studio.dialog.getByRole("textbox", { name: "Path" }).fill("garbage");
+  await expect(says).toHaveText("This is no path; one is M 0 0 L 4 0 L 2 3 Z.");
   await studio.drop("two.svg", TWO);
   await expect(studio.dialog.getByRole("img", { name: "70 places" })).toBeVisible();
   await expect(studio.dialog.getByRole("spinbutton", { name: "Agents" })).toBeDisabled();

@@ -1,3 +1,4 @@
+import { isPathData } from "./path-check";
 import { drawnPixels, NoPixels, NothingYet, type Pixels, SIDE } from "./pixels";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -5,6 +6,7 @@ const SVG = "http://www.w3.org/2000/svg";
 /** The inside of an SVG path, however large its numbers are. */
 export function pathPixels(data: string): Pixels {
   if (data.trim() === "") throw new NothingYet("Give the path of an SVG, such as M 0 0 L 4 0 L 2 3 Z.");
+  if (!isPathData(data)) throw new NoPixels("This is no path; one is M 0 0 L 4 0 L 2 3 Z.");
   const { x, y, width, height } = boundsOf(data);
   if (!(width > 0 && height > 0)) throw new NoPixels("This path has no inside; one is M 0 0 L 4 0 L 2 3 Z.");
   const scale = SIDE / Math.max(width, height);

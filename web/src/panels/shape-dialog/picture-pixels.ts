@@ -19,7 +19,12 @@ export async function picturePixels(file: File): Promise<Pixels> {
   // A picture is told by its bytes, whichever kind it is said to be; a drawing is not.
   const type = isSvg ? "image/svg+xml" : file.type || "image/png";
   const url = await addressOf(new Blob([file], { type }));
-  return pixelsOf(await loaded(url, file.name), isSvg, file.name);
+  const image = await loaded(url, file.name);
+  checkSize(image, file.name);
+  if (!isSvg && !(await isWhole(file))) throw new NoPixels(`${file.name} cannot be decoded; it may be cut short.`);
+  const pixels = pixelsOf(image, isSvg, file.name);
+  if (isOneColor(pixels)) throw new NoPixels("There is no shape in this picture: all of it has one color.");
+  return pixels;
 }
 
 /** The file as an address of its own, which needs no other right than to show a picture. */
@@ -42,12 +47,15 @@ function loaded(url: string, name: string): Promise<HTMLImageElement> {
   });
 }
 
+function checkSize({ naturalWidth: width, naturalHeight: height }: HTMLImageElement, name: string): void {
+  if (Math.max(width, height) > SIDE_LIMIT) {
+    throw new NoPixels(`${name} has ${width} × ${height} pixels; a picture may have 8,192 each way.`);
+  }
+}
+
 function pixelsOf(image: HTMLImageElement, isSvg: boolean, name: string): Pixels {
   const { naturalWidth: width, naturalHeight: height } = image;
   const longer = Math.max(width, height);
-  if (longer > SIDE_LIMIT) {
-    throw new NoPixels(`${name} has ${width} × ${height} pixels; a picture may have 8,192 each way.`);
-  }
   // A drawing is as fine as it is drawn; a picture has the pixels it has.
   const scale = isSvg ? SIDE / Math.max(1, longer) : Math.min(1, SIDE / Math.max(1, longer));
   const [across, down] = [width * scale, height * scale];
@@ -58,4 +66,21 @@ function pixelsOf(image: HTMLImageElement, isSvg: boolean, name: string): Pixels
       throw new NoPixels(`${name} cannot be decoded.`);
     }
   });
+}
+
+/** An image element shows as much of a picture as there is, and leaves the rest transparent. */
+function isWhole(file: File): Promise<boolean> {
+  return createImageBitmap(file).then(
+    (bitmap) => {
+      bitmap.close();
+      return true;
+    },
+    () => false,
+  );
+}
+
+/** Whether nothing tells a shape from what is around it, at any threshold; what cannot be seen is judged by the engine. */
+function isOneColor({ rgba }: Pixels): boolean {
+  const words = new Uint32Array(rgba.buffer, rgba.byteOffset, rgba.length / 4);
+  return rgba[3] === 255 && words.every((word) => word === words[0]);
 }
