@@ -5,6 +5,7 @@ import { createDocument } from "../document/create-store";
 import { emptyScene } from "../document/defaults";
 import { Formation, type Point } from "../document/formation";
 import { durationOf } from "../document/limits";
+import { openScene } from "../document/open-scene";
 import { mainTrack, type Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { createPlayback, type Playback } from "../playback/playback";
@@ -34,6 +35,7 @@ let clipboard: AgentClipboard;
 let onClipboard: string;
 let aside: Signal<Aside | null>;
 let isComparing: boolean;
+let fits: number;
 
 /** The engine's answer to a keyframe CSV, by the book and no further. */
 async function openCsv(text: string) {
@@ -54,6 +56,7 @@ beforeEach(() => {
   onClipboard = "";
   aside = signal(null);
   isComparing = false;
+  fits = 0;
   const toolbox: Toolbox = {
     active: signal("select"),
     shape: signal("circle"),
@@ -68,7 +71,12 @@ beforeEach(() => {
   const parts = {
     document,
     playback,
-    view: createView(document.scene),
+    view: {
+      ...createView(document.scene),
+      fit() {
+        fits += 1;
+      },
+    },
     toolbox,
     messages,
     aside,
@@ -147,6 +155,19 @@ test("the last keyframe cannot be deleted", () => {
   expect(isEnabled("delete-keyframe")).toBe(true);
   run("delete-keyframe");
   expect(keyframes()).toHaveLength(1);
+});
+
+test("undo and redo look at another scene as a whole, and leave the view where it is after an edit", () => {
+  run("select-all");
+  run("nudge-right");
+  run("undo");
+  expect(fits).toBe(0);
+  const other = addAgents(FOUR.slice(1)).apply(emptyScene());
+  openScene(document, { ...other, stage: { ...other.stage, width: 20 } }, "Open another");
+  run("undo");
+  expect(fits).toBe(1);
+  run("redo");
+  expect(fits).toBe(2);
 });
 
 test("holding an arrow key is one undo entry", () => {

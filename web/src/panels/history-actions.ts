@@ -1,22 +1,29 @@
 import { computed } from "@preact/signals";
 import { allAgents } from "../document/queries";
-import { mainTrack } from "../document/scene";
+import { mainTrack, type Scene } from "../document/scene";
 import type { ActionParts, Doings } from "./doing";
 
 /** What a person can do before anything is selected. */
-export function historyActions({ document, messages }: ActionParts): Doings<"undo" | "redo" | "select-all"> {
+export function historyActions({ document, messages, view }: ActionParts): Doings<"undo" | "redo" | "select-all"> {
+  /** Another scene is looked at as a whole, as when it was opened; an edit of this one leaves the view where it is. */
+  function step(by: () => void): void {
+    const before = document.scene.peek();
+    by();
+    if (isAnother(before, document.scene.peek())) view.fit();
+  }
+
   return {
     undo: {
       isEnabled: computed(() => document.undoLabel.value !== null || document.isDragging.value),
       run() {
-        document.undo();
+        step(document.undo);
         messages.announce(`Undone: ${document.redoLabel.peek() ?? ""}`);
       },
     },
     redo: {
       isEnabled: computed(() => document.redoLabel.value !== null),
       run() {
-        document.redo();
+        step(document.redo);
         messages.announce(`Redone: ${document.undoLabel.peek() ?? ""}`);
       },
     },
@@ -27,4 +34,9 @@ export function historyActions({ document, messages }: ActionParts): Doings<"und
       },
     },
   };
+}
+
+/** Edits keep the parts they do not change; a scene that is opened shares none. */
+function isAnother(before: Scene, after: Scene): boolean {
+  return before.stage !== after.stage && mainTrack(before).agents !== mainTrack(after).agents;
 }
