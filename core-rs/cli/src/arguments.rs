@@ -145,6 +145,8 @@ and {mean, max} over time of
 with roughness, the median jerk, m/s³; with method crowd
   guideDeviation    {mean, max} of how far forces lead agents from their guide, meters
   arrivalError      {mean, max} of how far forces alone leave them from the target, meters
+  hurried           [{agent, speed, maxSpeed, duration}] of who is faster than its maxSpeed, m/s, to arrive in time, and
+                    the seconds that would do; left out when nobody is
 and with avoidance
   deviation         {mean, max} over agents and samples of how far they leave the method's way, meters
   unsolved          [{distance, time, agents}] of every meeting still too near; [] when it is proved that there is none

@@ -109,6 +109,11 @@ impl Crowd {
         [&mut self.aim_x, &mut self.aim_y]
     }
 
+    /// Lengths a second, by agent.
+    pub fn top_speeds_mut(&mut self) -> &mut [f64] {
+        &mut self.top_speed
+    }
+
     /// Moves on by `seconds`; agents want to be where they aim `within` seconds from now.
     pub fn step(&mut self, seconds: f64, within: f64) {
         self.wish(within);

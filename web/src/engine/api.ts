@@ -13,6 +13,15 @@ export interface EngineProblem {
   readonly what: string;
   /** Where: a row, a field, a keyframe; empty when it is the whole. */
   readonly where: string;
+  /** Where obstacles leave somebody no way. */
+  readonly noWay?: NoWay;
+}
+
+/** An agent that an obstacle shuts off from its place, and what ways keep from obstacles, meters. */
+export interface NoWay {
+  readonly agent: number;
+  readonly obstacle: number;
+  readonly distance: number;
 }
 
 /** Rejections of every engine call. */
@@ -100,6 +109,14 @@ export interface KeyframeBreach {
   readonly distance: number;
 }
 
+/** An agent that is faster than it can be, meters a second, and the seconds that the transition would take without. */
+export interface Hurry {
+  readonly agent: number;
+  readonly speed: number;
+  readonly maxSpeed: number;
+  readonly duration: number;
+}
+
 /** A next step where a transition does not keep the minimum distance. */
 export type Suggestion =
   /** These two take each other's places in the target. */
@@ -138,6 +155,8 @@ export interface SegmentReport {
   readonly guideDeviation?: Extreme;
   /** How far forces alone leave them from the target, meters. */
   readonly arrivalError?: Extreme;
+  /** Who has to be faster than their top speed to arrive in time; absent where nobody has. */
+  readonly hurried?: readonly Hurry[];
   readonly nearCollisions: number;
   readonly pathLength: Extreme;
   readonly topSpeed: { readonly speed: number; readonly time: number; readonly agent: number };

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use eigenform::choice::{Choice, MethodName, Timing};
 use eigenform::edits::Blocked;
 use eigenform::measure::{Measures, Movement};
-use eigenform::perform::{Avoided, Candidate, Crowded, Performed, perform};
+use eigenform::perform::{Avoided, Candidate, Crowded, Hurry, Performed, perform};
 use eigenform::scene::{Opened, Scene, Segment, TransitionSpec, cautions};
 use serde::Serialize;
 
@@ -133,6 +133,14 @@ fn table(report: &Report<'_>) -> String {
             )
             .expect("a string takes any text");
         }
+        for Hurry { agent, speed, max_speed, duration } in segment.crowded.iter().flat_map(|crowded| &crowded.hurried) {
+            writeln!(
+                text,
+                "segment {index}: agent {agent} moves at up to {speed:.2} m/s to arrive in time, and its top speed is {max_speed} m/s; \
+                 {duration:.1} s would do"
+            )
+            .expect("a string takes any text");
+        }
         for clash in segment.avoided.iter().flat_map(|avoided| &avoided.unsolved) {
             let (a, b) = clash.agents;
             writeln!(text, "segment {index}: agents {a} and {b} are {:.3} m apart at {:.2} s", clash.distance, clash.time)
@@ -140,7 +148,8 @@ fn table(report: &Report<'_>) -> String {
         }
         for at in segment.avoided.iter().flat_map(|avoided| &avoided.blocked) {
             let (agent, obstacle) = (at.agent, at.obstacle);
-            writeln!(text, "segment {index}: agent {agent} is {:.3} m from obstacle {obstacle} at {:.2} s", at.distance, at.time)
+            let side = if at.distance < 0.0 { "inside" } else { "from" };
+            writeln!(text, "segment {index}: agent {agent} is {:.3} m {side} obstacle {obstacle} at {:.2} s", at.distance.abs(), at.time)
                 .expect("a string takes any text");
         }
     }

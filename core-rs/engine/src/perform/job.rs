@@ -10,6 +10,7 @@ use super::brief::Brief;
 use super::clock::{Clock, path_parameters};
 use super::crowd::{Crowded, Crowding};
 use super::free::freed;
+use super::hurry::hurried;
 use super::performed::{Candidate, Performed};
 use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
@@ -359,7 +360,10 @@ impl Work {
     }
 
     fn finish(&self, attempt: Attempt) -> Performed {
-        let Attempt { plan, clock, samples, kept } = attempt;
+        let Attempt { mut plan, clock, samples, kept } = attempt;
+        if let (Some(crowded), None) = (&mut plan.crowded, self.brief.aside.counterpart) {
+            crowded.hurried = hurried(&kept.motion, &self.brief.agents);
+        }
         let (chain, brief) = (&plan.chain, &self.brief);
         let [source, target] = [&chain.ends()[chain.at()], &chain.ends()[chain.at() + 1]];
         let Kept { motion, deviation, avoided } = kept;

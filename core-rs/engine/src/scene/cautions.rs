@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{Scene, Segment, Stage};
+use crate::choice::MethodName;
 use crate::obstacle::{ObstacleShape, crossing_on_the_way};
 
 /// More agents in one obstacle are counted, not listed.
@@ -10,7 +11,7 @@ const MOST_LISTED: usize = 5;
 
 /// A sentence each: what, where and what helps.
 pub fn cautions(scene: &Scene) -> Vec<String> {
-    crowding(scene).into_iter().chain(covered(scene)).chain(crossed(scene)).collect()
+    crowding(scene).into_iter().chain(covered(scene)).chain(crossed(scene)).chain(late(scene)).collect()
 }
 
 /// A minimum distance that the stage cannot hold, for whoever stays on it: it is no wall.
@@ -81,6 +82,30 @@ fn crossed(scene: &Scene) -> impl Iterator<Item = String> {
     })
 }
 
+/// Crowds in which somebody cannot arrive at its top speed, not even straight on. It arrives all the same, faster than that.
+fn late(scene: &Scene) -> impl Iterator<Item = String> {
+    let track = scene.main_track();
+    track.segments.iter().enumerate().filter_map(move |(index, Segment::Transition(transition))| {
+        let [from, to] = [&track.keyframes[index], &track.keyframes[index + 1]];
+        let seconds = to.time - (from.time + from.hold);
+        let is_there = |agent: usize| [from, to].iter().all(|keyframe| keyframe.absent.binary_search(&(agent as u32)).is_err());
+        let way = |agent: usize| to.positions.positions()[agent].distance(from.positions.positions()[agent]);
+        let limited = track.agents.iter().enumerate().filter(|(agent, _)| is_there(*agent));
+        let needs = limited.filter_map(|(agent, body)| Some((agent, body.max_speed?, way(agent) / body.max_speed?)));
+        let late: Vec<_> = needs.filter(|(_, _, needed)| *needed > seconds).collect();
+        let (agent, max_speed, needed) = *late.iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
+        let others = if late.len() > 1 { format!(" and {} more have", late.len() - 1) } else { " has".to_owned() };
+        (transition.method == MethodName::Crowd).then(|| {
+            format!(
+                "agent {agent}{others} farther to go than a top speed allows: {:.2} m in {seconds:.1} s are {:.2} m/s, and {max_speed} m/s \
+                 need {needed:.1} s at least; everybody arrives in time all the same, faster than they can (segments[{index}])",
+                way(agent),
+                way(agent) / seconds,
+            )
+        })
+    })
+}
+
 fn listed(agents: &[usize]) -> String {
     match agents {
         [agent] => format!("agent {agent} stands"),
@@ -131,5 +156,28 @@ mod tests {
                 "agents 0, 1 stand within obstacle 0; a keyframe is never changed, so move them or the obstacle (keyframes[0].positions[0])",
             ]
         );
+    }
+
+    #[test]
+    fn who_cannot_arrive_at_a_top_speed_is_told_before_anybody_moves() {
+        let told = |method: &str, max_speed: f64, end: f64| {
+            let text = format!(
+                r#"{{ "format": "eigenform", "version": 1, "agents": [{{ "maxSpeed": {max_speed} }}, {{}}],
+                    "keyframes": [{{ "positions": [[0, 0], [1, 0]] }}, {{ "time": {end}, "positions": [[0, 20], [1, 20]] }}],
+                    "segments": [{{ "method": "{method}" }}] }}"#
+            );
+            cautions(&crate::scene::read_json(&text).expect("it is a scene"))
+        };
+        assert_eq!(
+            told("crowd", 0.5, 5.0),
+            [
+                "agent 0 has farther to go than a top speed allows: 20.00 m in 5.0 s are 4.00 m/s, and 0.5 m/s need 40.0 s at least; everybody \
+              arrives in time all the same, faster than they can (segments[0])"
+            ]
+        );
+        // What is fast enough, long enough, or heeds no top speed needs no word.
+        for (method, max_speed, end) in [("crowd", 4.0, 5.0), ("crowd", 0.5, 40.0), ("linear", 0.5, 5.0)] {
+            assert_eq!(told(method, max_speed, end), [] as [String; 0], "{method} {max_speed} {end}");
+        }
     }
 }

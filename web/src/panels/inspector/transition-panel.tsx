@@ -18,6 +18,7 @@ import { TransitionOptions } from "./transition-options";
 
 const AssignmentPart = lazily(() => import("../assignment/assignment-part").then((part) => part.AssignmentPart));
 const PathPart = lazily(() => import("../travel/path-part").then((part) => part.PathPart));
+const HurryNote = lazily(() => import("./hurry-note").then((part) => part.HurryNote));
 const SpreadOut = lazily(() => import("./spread-out").then((part) => part.SpreadOut));
 
 /** How one formation becomes the next, how well, and why so. */
@@ -48,6 +49,7 @@ export function TransitionPanel({ index }: { index: number }) {
         <TransitionOptions index={index} segment={segment} choice={view.plan?.report.choice ?? segment.chosen} />
         <PlanningNote view={view} />
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
+        {view.plan?.report.hurried && <HurryNote index={index} hurried={view.plan.report.hurried} />}
         {segment.avoidance && <SpreadOut key={index} index={index} report={view.plan?.report ?? null} />}
       </Section>
       <PathPart key={`path ${index}`} index={index} segment={segment} />

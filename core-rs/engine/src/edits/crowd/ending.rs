@@ -15,6 +15,11 @@ const WIDTHS: [f64; 4] = [0.8, 0.4, 0.2, 0.1];
 /// Averages one after the other: three are nearly a bell.
 const PASSES: usize = 3;
 
+/// How long the last stretch of so many seconds is.
+pub(super) fn stretch(seconds: f64) -> f64 {
+    STRETCH.min(GREATEST_SHARE * seconds)
+}
+
 /// Offsets that fall smoothly to zero over the last stretch: value and velocity are continuous at both of its ends.
 pub(super) fn ended(offsets: &Paths, times: &[f64]) -> Paths {
     faded(offsets, times, [false, true])
@@ -23,7 +28,7 @@ pub(super) fn ended(offsets: &Paths, times: &[f64]) -> Paths {
 /// Offsets that come from and fall to zero over a stretch where they are to.
 fn faded(offsets: &Paths, times: &[f64], is_faded: [bool; 2]) -> Paths {
     let (start, end) = (times[0], times[times.len() - 1]);
-    let stretch = STRETCH.min(GREATEST_SHARE * (end - start));
+    let stretch = stretch(end - start);
     let share = |from: f64, is_faded: bool| {
         let left = if is_faded { (from / stretch).clamp(0.0, 1.0) } else { 1.0 };
         left * left * (3.0 - 2.0 * left)

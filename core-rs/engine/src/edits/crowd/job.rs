@@ -4,7 +4,7 @@ use eigenform_apart::Paths;
 use eigenform_force::Bodies;
 use glam::DVec2;
 
-use super::ending::{ended, smoothed};
+use super::ending::{ended, smoothed, stretch};
 use super::guide::Guide;
 use super::walkers::{Speeds, Walkers};
 use super::{Aim, CrowdRules, Ending, Led};
@@ -31,6 +31,9 @@ const USUAL_RADIUS: f64 = 0.25;
 
 /// How fast those want to be who are late, as a multiple of the fastest on the guide.
 const HURRY: f64 = 1.5;
+
+/// Who is late means to arrive so much of the last stretch early: what is left there is led back onto the guide, faster than it was walked.
+const SPARE: f64 = 0.6;
 
 /// What a step came to.
 pub enum CrowdStep {
@@ -142,8 +145,28 @@ impl CrowdJob {
             Aim::Target if COMPARES => (end, (end - time).max(look_ahead)),
             _ => (next + look_ahead, look_ahead + seconds),
         };
+        if self.rules.ending == Ending::Exact {
+            self.let_arrive(end - time);
+        }
         self.guide.places_into(aim.min(end), self.crowd.aims_mut());
         self.crowd.step(seconds, within);
+    }
+
+    /// Lets those be faster than they can who would not arrive else: as fast as the straight way that is left asks for in the seconds left.
+    fn let_arrive(&mut self, left: f64) {
+        let stretch = stretch(self.duration());
+        if left <= stretch {
+            return;
+        }
+        let left = left - SPARE * stretch;
+        let last = self.guide.motion().times().len() - 1;
+        for agent in 0..self.rules.top_speed.len() {
+            let own = self.rules.top_speed[agent];
+            if own.is_finite() {
+                let needed = self.place(agent).distance(self.guide.sample(last, agent)) / left;
+                self.crowd.top_speeds_mut()[agent] = own.max(needed) / self.rules.unit;
+            }
+        }
     }
 
     fn place(&self, agent: usize) -> DVec2 {

@@ -110,6 +110,22 @@ fn who_is_alone_stays_on_the_guide() {
 }
 
 #[test]
+fn who_cannot_arrive_at_its_top_speed_goes_as_fast_as_need_be_and_who_can_keeps_to_it() {
+    let guide = straight(&[DVec2::ZERO], &[DVec2::new(20.0, 0.0)]);
+    let fastest = |top_speed: f64| {
+        let alone = led(CrowdRules { group: vec![NO_GROUP], top_speed: vec![top_speed], ..rules(1) }, &guide);
+        assert_eq!(farthest(&alone.motion, &guide, guide.times().len() - 1), 0.0, "it arrives");
+        alone.motion.top_speed()
+    };
+    // The guide eases and so is faster in its middle than an even pace; nobody has to outrun it who goes its way evenly.
+    for top_speed in [0.5, 2.0, 3.0] {
+        assert!(fastest(top_speed) < guide.top_speed(), "{top_speed}: {} and {}", fastest(top_speed), guide.top_speed());
+    }
+    // An even pace is 3.33 m/s: who may go at 4.5 m/s has time to spare.
+    assert!(fastest(4.5) < 1.01 * 4.5, "{}", fastest(4.5));
+}
+
+#[test]
 fn plain_forces_leave_agents_where_they_are_and_say_how_far_that_is() {
     let guide = crossing();
     let plain = CrowdRules { aim: Aim::Target, ending: Ending::AsItComes, waits: true, ..rules(16) };

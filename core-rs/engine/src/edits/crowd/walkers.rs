@@ -51,6 +51,15 @@ impl Walkers {
         }
     }
 
+    /// How fast everybody can be; nobody where nothing but a pace of their own limits them.
+    pub(super) fn top_speeds_mut(&mut self) -> &mut [f64] {
+        match self {
+            Self::Forces(crowd) => crowd.top_speeds_mut(),
+            #[cfg(feature = "comparison")]
+            Self::Reciprocal(_) => &mut [],
+        }
+    }
+
     /// Moves on by `seconds`; agents want to be where they aim `within` seconds from now.
     pub(super) fn step(&mut self, seconds: f64, within: f64) {
         match self {

@@ -28,6 +28,7 @@ impl Cast {
         performed.held_clearance.iter_mut().for_each(|held| held.agent = self.agent(held.agent));
         if let Some(crowded) = &mut performed.crowded {
             crowded.deviation.number(&self.there);
+            crowded.hurried.iter_mut().for_each(|hurry| hurry.agent = self.agent(hurry.agent));
         }
         if let Some(deviation) = &mut performed.deviation {
             deviation.number(&self.there);
