@@ -13,6 +13,9 @@ const INPUT: u8 = 2;
 /// A file that cannot be read or written.
 const FILE: u8 = 1;
 
+/// How a recording becomes a scene.
+const FROM_RECORDING: &str = "eigenform convert RECORDING show.eigenform.json --frames 0,120 makes one of frames 0 and 120";
+
 /// Why a run ended early.
 #[derive(Debug)]
 pub enum Failure {
@@ -89,6 +92,7 @@ impl From<clap::Error> for Failure {
 impl Display for Failure {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let (code, what, place) = match self {
+            Self::Refused(error @ Error::IsRecording) => (error.code(), format!("{error}: {FROM_RECORDING}"), error.place()),
             Self::Refused(error) => (error.code(), error.to_string(), error.place()),
             Self::Given { code, what, place } => (*code, what.clone(), place.clone()),
             Self::Usage { what, place } => ("usage", what.clone(), place.clone()),

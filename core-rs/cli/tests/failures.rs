@@ -57,6 +57,7 @@ fn bad_input_is_two_and_says_where() {
         (&["check", "empty.csv"], "empty: "),
         (&["check", "cut.csv"], "cut-row: "),
         (&["motion", "crowd.txt"], "recording: "),
+        (&["convert", "crowd.txt", "out.json"], "recording: "),
         (&["convert", "crowd.txt", "out.json", "--frames", "0,2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--frames)"),
         (&["convert", "show.json", "out.json", "--frames", "0,1"], "cut-row: "),
         (&["modes", "show.json", "--keyframe", "2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--keyframe)"),
@@ -78,6 +79,18 @@ fn bad_input_is_two_and_says_where() {
     ] {
         check(&desk, arguments, 2, start);
     }
+}
+
+#[test]
+fn a_recording_in_place_of_a_scene_is_told_the_command_that_makes_one_of_it() {
+    let desk = Desk::new();
+    let rows: String = (0..=120).map(|frame| format!("1 {frame} {frame} 0\n")).collect();
+    desk.put("crowd.txt", &format!("# framerate: 10\n{rows}"));
+    let said = desk.run(&["check", "crowd.txt"]).stderr;
+    let typed = "convert RECORDING show.eigenform.json --frames 0,120";
+    assert!(said.contains(&format!("eigenform {typed} ")), "{said}");
+    let outcome = desk.run(&typed.replace("RECORDING", "crowd.txt").split(' ').collect::<Vec<_>>());
+    assert_eq!(outcome.code, 0, "what was told works: {}", outcome.stderr);
 }
 
 #[test]
