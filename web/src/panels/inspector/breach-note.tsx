@@ -25,7 +25,7 @@ export function BreachNote({ index }: { index: number }) {
     ...breachesOf(formation, scene.minimumDistance).map(({ a, b, distance }) => ({
       agents: [a, b],
       words: `${agentLabel(scene, a)} and ${agentLabel(scene, b)}`,
-      distance,
+      where: lengthWithUnit(distance, units),
     })),
     ...tooNearObstacles(scene, formation),
   ];
@@ -37,7 +37,7 @@ export function BreachNote({ index }: { index: number }) {
       <div>
         <p>Nearer here than {lengthWithUnit(scene.minimumDistance, units)}:</p>
         <ul class="breaches" aria-label="Too near">
-          {entries.slice(0, MOST).map(({ agents, words, distance }) => (
+          {entries.slice(0, MOST).map(({ agents, words, where }) => (
             <li key={words}>
               <button
                 type="button"
@@ -49,7 +49,7 @@ export function BreachNote({ index }: { index: number }) {
               >
                 {words}
               </button>{" "}
-              <span class="number">{lengthWithUnit(distance, units)}</span>
+              <span class="number">{where}</span>
             </li>
           ))}
         </ul>
@@ -65,9 +65,8 @@ function tooNearObstacles(scene: Scene, formation: Formation) {
     formation.points().flatMap((at, agent) => {
       const distance = distanceTo(shape, at);
       if (distance >= scene.minimumDistance * (1 - ROUNDING)) return [];
-      return [
-        { agents: [agent], words: `${agentLabel(scene, agent)} and ${obstacleLabel(scene, obstacle)}`, distance },
-      ];
+      const where = distance > 0 ? lengthWithUnit(distance, scene.stage.units) : "inside";
+      return [{ agents: [agent], words: `${agentLabel(scene, agent)} and ${obstacleLabel(scene, obstacle)}`, where }];
     }),
   );
 }

@@ -101,11 +101,11 @@ function Meeting({ scene, clash, onGo }: { scene: Scene; clash: Approach; onGo()
 }
 
 function Blocked({ scene, at, onGo }: { scene: Scene; at: ObstacleApproach; onGo(): void }) {
-  const near = lengthWithUnit(Math.max(0, at.distance), scene.stage.units);
+  const near = lengthWithUnit(Math.abs(at.distance), scene.stage.units);
+  const how = at.distance > 0 ? `comes within ${near} of` : `comes ${near} inside`;
   return (
     <p>
-      Agent {agentLabel(scene, at.agent)} comes within {near} of {obstacleLabel(scene, at.obstacle)} at{" "}
-      {formatTime(at.time)}.{" "}
+      Agent {agentLabel(scene, at.agent)} {how} {obstacleLabel(scene, at.obstacle)} at {formatTime(at.time)}.{" "}
       <button type="button" class="link" onClick={onGo}>
         Go there
       </button>
@@ -118,7 +118,8 @@ function Standing({ scene, segment, breach }: { scene: Scene; segment: number; b
   const { document } = useStudio();
   const { agent, other, distance } = breach;
   const index = segment + breach.end;
-  const near = `${lengthWithUnit(Math.max(0, distance), scene.stage.units)} from`;
+  const isInside = distance < 0;
+  const near = `${lengthWithUnit(Math.abs(distance), scene.stage.units)} ${isInside ? "inside" : "from"}`;
   const whom = "agent" in other ? agentLabel(scene, other.agent) : obstacleLabel(scene, other.obstacle);
   return (
     <p>
@@ -132,7 +133,7 @@ function Standing({ scene, segment, breach }: { scene: Scene; segment: number; b
       >
         {keyframeLabel(scene, index)}
       </button>
-      .
+      {isInside ? ". A keyframe is never changed: move them or the obstacle." : "."}
     </p>
   );
 }

@@ -31,7 +31,7 @@ export function planningView(planning: Planning | undefined, minimum: number, un
       return {
         ...quiet,
         status: status(closest, minimum),
-        words: closest === null ? "" : lengthWithUnit(Math.max(0, closest), units),
+        words: closest === null ? "" : closest < 0 ? "inside" : lengthWithUnit(closest, units),
         plan: planning.plan,
       };
     }
