@@ -13,12 +13,17 @@ use glam::DVec2;
 use serde_json::json;
 use wasm_bindgen::JsValue;
 
-/// Input the engine refuses, as the page reads it: JSON `{code, what, where}`.
+/// Input the engine refuses, as the page reads it: JSON `{code, what, where}`; of a way that obstacles shut off also `noWay`, so that the
+/// page can call who and what by their names.
 pub struct Refusal(String);
 
 impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
-        Self(encode(&json!({ "code": error.code(), "what": error.to_string(), "where": error.place() })))
+        let mut refusal = json!({ "code": error.code(), "what": error.to_string(), "where": error.place() });
+        if let Error::NoWay { agent, obstacle, distance } = error {
+            refusal["noWay"] = json!({ "agent": agent, "obstacle": obstacle, "distance": distance });
+        }
+        Self(encode(&refusal))
     }
 }
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { emptyScene } from "../../document/defaults";
-import type { FoundPlaces } from "../../engine/api";
+import { EngineError, type FoundPlaces } from "../../engine/api";
 import { createTrial } from "./create-trial";
 
 const RECIPE = { cost: "squared", lambda: 0.9, locks: [], keepGroups: false } as const;
@@ -44,6 +44,28 @@ test("an agent has one lock and so has a place; without any nothing is predicted
   trial.unlock(0);
   expect(trial.question.value.recipe.locks).toEqual([]);
   expect(trial.question.value.isPredicted).toBe(false);
+});
+
+test("who is shut off is called as the page calls them", async () => {
+  const scene = emptyScene();
+  const trial = createTrial(0, RECIPE, {
+    scene: () => ({ ...scene, obstacles: [{ name: "", shape: { kind: "circle", center: [0, 0], radius: 1 } }] }),
+    find: () =>
+      Promise.reject(
+        new EngineError({
+          code: "no-way",
+          what: "no way leads agent 0 to a place: obstacle 0 shuts it off",
+          where: "",
+          noWay: { agent: 0, obstacle: 0, distance: 0.5 },
+        }),
+      ),
+    stop: () => {},
+  });
+  trial.ask();
+  await new Promise((resolve) => setTimeout(resolve, 0));
+  expect(trial.problem.value).toContain("agent 1 ");
+  expect(trial.problem.value).toContain("Obstacle 1 ");
+  expect(trial.problem.value).not.toMatch(/ 0 /);
 });
 
 test("stopped, the answer before stays", async () => {

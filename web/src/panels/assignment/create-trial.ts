@@ -1,6 +1,7 @@
 import { type ReadonlySignal, signal } from "@preact/signals";
 import type { AssignmentSpec, Scene } from "../../document/scene";
-import type { AssignmentQuestion, FoundPlaces } from "../../engine/api";
+import { type AssignmentQuestion, EngineError, type FoundPlaces } from "../../engine/api";
+import { noWayWords } from "../no-way";
 
 /** Who would go where, on trial: the scene stays as it is until the answer is accepted. */
 export interface AssignmentTrial {
@@ -48,7 +49,7 @@ export function createTrial(segment: number, recipe: AssignmentSpec, parts: Tria
       });
       if (isLatest() && answer) found.value = answer;
     } catch (error) {
-      if (isLatest()) problem.value = error instanceof Error ? error.message : String(error);
+      if (isLatest()) problem.value = problemWords(error, parts.scene());
     }
     if (isLatest()) progress.value = null;
   }
@@ -81,6 +82,11 @@ export function createTrial(segment: number, recipe: AssignmentSpec, parts: Tria
       parts.stop();
     },
   };
+}
+
+function problemWords(error: unknown, scene: Scene): string {
+  if (error instanceof EngineError && error.problem.noWay) return noWayWords(scene, error.problem.noWay);
+  return error instanceof Error ? error.message : String(error);
 }
 
 /** The one that is open, for what is drawn over the stage. */
