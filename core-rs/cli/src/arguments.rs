@@ -152,6 +152,8 @@ and with avoidance
   unsolved          [{distance, time, agents}] of every meeting still too near; [] when it is proved that there is none
   guideClearance    the nearest approach before
   blocked           [{distance, time, agent, obstacle}] still too near to an obstacle, from its outline
+  shutOff           [{agent, obstacle, distance}] of whom no way leads around obstacles, at that distance from them; left
+                    out when there is one for everybody
   breaches          who stands too near in a keyframe: end (0 source, 1 target), agent, other, distance
   rung, suggestions which attempt was kept; what may help where it is not solved
 

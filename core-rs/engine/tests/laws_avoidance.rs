@@ -288,3 +288,23 @@ fn who_stands_in_a_notch_is_led_out_of_it_first() {
         assert!(result.report.is_solved(), "{from} to {to}: {:?}", result.report.blocked);
     }
 }
+
+#[test]
+fn who_is_shut_off_keeps_the_guide_and_is_named_and_the_others_go_around() {
+    let wall = |x: [f64; 2], y: [f64; 2]| Outline { points: vec![[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]], radius: 0.0 };
+    let [low, high] = [[-6.0, -5.0], [5.0, 6.0]];
+    let whole = [-6.0, 6.0];
+    let room = vec![wall(whole, low), wall(whole, high), wall(low, whole), wall(high, whole)];
+    // One starts in the room, one has to pass it.
+    let guide = straight(&[DVec2::ZERO, DVec2::new(-12.0, -5.5)], &[DVec2::new(0.5, 12.0), DVec2::new(12.0, -5.5)]);
+    let closed = edited(Avoidance { obstacles: room.clone(), ..avoidance() }, &guide);
+    let named: Vec<(u32, u32)> = closed.report.shut_off.iter().map(|shut| (shut.agent, shut.obstacle)).collect();
+    assert_eq!(named, [(0, 1)]);
+    for k in 0..guide.times().len() {
+        // The guide, as exactly as avoidance checks.
+        assert!(closed.motion.sample(k)[0].distance(guide.sample(k)[0]) < 1e-6, "at {k}");
+    }
+    assert!(closed.report.blocked.iter().all(|blocked| blocked.agent == 0), "{:?}", closed.report.blocked);
+    let open = edited(Avoidance { obstacles: room[..1].to_vec(), ..avoidance() }, &guide);
+    assert_eq!(open.report.shut_off, []);
+}

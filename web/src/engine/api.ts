@@ -145,6 +145,8 @@ export interface SegmentReport {
   readonly unsolved?: readonly Approach[];
   /** Agents that avoidance leaves too near to an obstacle, each at the nearest. */
   readonly blocked?: readonly ObstacleApproach[];
+  /** Whom no way leads around obstacles, so that they go through; absent where nobody is shut off. */
+  readonly shutOff?: readonly NoWay[];
   /** Who is too near in one of its keyframes already. */
   readonly breaches?: readonly KeyframeBreach[];
   /** What may help where it is not solved, the likeliest first. */

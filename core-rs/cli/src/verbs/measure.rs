@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use eigenform::choice::{Choice, MethodName, Timing};
-use eigenform::edits::Blocked;
+use eigenform::edits::{Blocked, ShutOff};
 use eigenform::measure::{Measures, Movement};
 use eigenform::perform::{Avoided, Candidate, Crowded, Hurry, Performed, perform};
 use eigenform::scene::{Opened, Scene, Segment, TransitionSpec, cautions};
@@ -145,6 +145,15 @@ fn table(report: &Report<'_>) -> String {
             let (a, b) = clash.agents;
             writeln!(text, "segment {index}: agents {a} and {b} are {:.3} m apart at {:.2} s", clash.distance, clash.time)
                 .expect("a string takes any text");
+        }
+        for ShutOff { agent, obstacle, distance } in segment.avoided.iter().flat_map(|avoided| &avoided.shut_off) {
+            writeln!(
+                text,
+                "segment {index}: no way leads agent {agent} to its place, so it goes through: obstacle {obstacle} shuts it off; move the \
+                 obstacle, or leave a gap of {} m",
+                2.0 * distance
+            )
+            .expect("a string takes any text");
         }
         for at in segment.avoided.iter().flat_map(|avoided| &avoided.blocked) {
             let (agent, obstacle) = (at.agent, at.obstacle);

@@ -176,16 +176,8 @@ impl Ground {
 
     /// What shuts an agent in: the first obstacle toward a slot without which a way would lead there, else the first.
     fn refusal(&self, agent: u32, slot: u32) -> Error {
-        let [from, to] = [&self.agents[agent as usize], &self.slots[slot as usize]].map(|spot| spot.exit.unwrap_or(spot.place));
-        let blocking: Vec<usize> = self.detours.blocking(from, to).collect();
-        let opens = |obstacle: &usize| {
-            let others = self.shapes.iter().enumerate().filter(|(number, _)| number != obstacle).map(|(_, shape)| shape);
-            let mut detours = Detours::new(others, self.distance);
-            while !detours.find_row() {}
-            let (known, _) = detours.from(from, &detours.seen_from(from), self.norm);
-            detours.is_clear(from, to) || detours.seen_from(to).iter().any(|bend| known[*bend as usize].is_finite())
-        };
-        let obstacle = blocking.iter().copied().find(opens).or(blocking.first().copied()).unwrap_or(0) as u32;
+        let ends = [&self.agents[agent as usize], &self.slots[slot as usize]].map(|spot| spot.place);
+        let obstacle = self.detours.barrier(&self.shapes, self.distance, ends) as u32;
         Error::NoWay { agent, obstacle, distance: self.distance }
     }
 }

@@ -9,8 +9,8 @@ mod deviation;
 mod grain;
 
 pub use avoidance::{
-    Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, SpreadJob, SpreadStep, is_modest, judge,
-    nearest_to,
+    Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, ShutOff, SpreadJob, SpreadStep,
+    is_modest, judge, nearest_to,
 };
 pub use crowd::{Aim, CrowdJob, CrowdRules, CrowdStep, Ending, Led};
 pub use deviation::Deviation;

@@ -113,6 +113,29 @@ impl Detours {
         (0..).zip(&self.bends).filter(|(_, bend)| is_seen(bend)).map(|(number, _)| number).collect()
     }
 
+    /// Whether any way leads from one place to another, or from near by where one is not clear. All rows of the graph are known.
+    pub fn lead(&self, from: DVec2, to: DVec2) -> bool {
+        let (Some(from), Some(to)) = (self.exit(from), self.exit(to)) else { return false };
+        self.is_clear(from, to) || {
+            let (known, _) = self.from(from, &self.seen_from(from), Norm::Euclidean);
+            self.seen_from(to).iter().any(|bend| known[*bend as usize].is_finite())
+        }
+    }
+
+    /// What shuts two places off: the first of the obstacles between them without which a way would lead, else the first. `shapes` and
+    /// `distance` are those it was made of.
+    pub fn barrier(&self, shapes: &[ObstacleShape], distance: f64, ends: [DVec2; 2]) -> usize {
+        let [from, to] = ends.map(|place| self.exit(place).unwrap_or(place));
+        let blocking: Vec<usize> = self.blocking(from, to).collect();
+        let opens = |obstacle: &usize| {
+            let others = shapes.iter().enumerate().filter(|(number, _)| number != obstacle).map(|(_, shape)| shape);
+            let mut detours = Self::new(others, distance);
+            while !detours.find_row() {}
+            detours.lead(from, to)
+        };
+        blocking.iter().copied().find(opens).or(blocking.first().copied()).unwrap_or(0)
+    }
+
     /// By bend, how far it is from a place that sees `first`, and the bend before it; infinite where no way leads, and no bend before
     /// the first. All rows of the graph are known.
     pub fn from(&self, place: DVec2, first: &[u32], norm: Norm) -> (Vec<f64>, Vec<Option<u32>>) {

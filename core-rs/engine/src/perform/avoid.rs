@@ -10,7 +10,7 @@ pub use suggest::Suggestion;
 use super::brief::Brief;
 use super::tied;
 use crate::choice::Choice;
-use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, Outline, judge};
+use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, Outline, ShutOff, judge};
 use crate::measure::{Clearance, Extreme};
 use crate::motion::{Approach, Motion, closeness};
 use crate::obstacle::ObstacleShape;
@@ -30,6 +30,9 @@ pub struct Avoided {
     pub blocked: Vec<Blocked>,
     /// Who stands too near in a keyframe already.
     pub breaches: Vec<Breach>,
+    /// Whom no way leads around obstacles: they go where the method has them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub shut_off: Vec<ShutOff>,
     /// The attempt that was kept, from 1; 0 when none was needed.
     pub rung: usize,
     /// What may help where it is not solved, the likeliest first.
@@ -94,6 +97,7 @@ impl Avoiding {
                     unsolved: report.unsolved.into_iter().map(clearance).collect(),
                     blocked: report.blocked,
                     breaches: report.breaches,
+                    shut_off: report.shut_off,
                     rung: report.rung,
                     suggestions,
                 };
@@ -119,6 +123,7 @@ pub(super) fn judged(brief: &Brief, chain: &Chain, motion: &Motion, deviation: E
             unsolved: report.unsolved.into_iter().map(clearance).collect(),
             blocked: report.blocked,
             breaches: report.breaches,
+            shut_off: report.shut_off,
             rung: 0,
             suggestions: Vec::new(),
         }

@@ -7,6 +7,7 @@ import { mainTrack, type Scene } from "../../document/scene";
 import { formatTime, lengthWithUnit } from "../../document/units";
 import type { Approach, Engine, KeyframeBreach, ObstacleApproach, SegmentReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
+import { shutOffWords } from "../no-way";
 import { useStudio } from "../studio";
 import { type NextStep, nextSteps } from "./next-steps";
 
@@ -33,6 +34,9 @@ export function ClashNote({ index, report }: { index: number; report: SegmentRep
         ))}
         {clashes.slice(0, MOST).map((clash) => (
           <Meeting key={`${clash.agents} ${clash.time}`} scene={scene} clash={clash} onGo={() => goTo(clash.time)} />
+        ))}
+        {report.shutOff?.slice(0, MOST).map((shut) => (
+          <p key={shut.agent}>{shutOffWords(scene, shut)}</p>
         ))}
         {blocked.slice(0, MOST).map((at) => (
           <Blocked key={`${at.agent} ${at.obstacle}`} scene={scene} at={at} onGo={() => goTo(at.time)} />
@@ -144,9 +148,10 @@ function clashesOf({ clearance, unsolved, blocked = [], breaches = [] }: Segment
   return clearance && breaches.length === 0 ? [clearance] : [];
 }
 
-/** Who could not be led around an obstacle, worst first; whoever stands there in a keyframe is named with that. */
-function blockedOf({ blocked = [], breaches = [] }: SegmentReport): readonly ObstacleApproach[] {
+/** Who could not be led around an obstacle, worst first; whoever stands there or has no way is named with that. */
+function blockedOf({ blocked = [], breaches = [], shutOff = [] }: SegmentReport): readonly ObstacleApproach[] {
   const stands = ({ agent, obstacle }: ObstacleApproach) =>
     breaches.some(({ agent: who, other }) => who === agent && "obstacle" in other && other.obstacle === obstacle);
-  return blocked.filter((at) => !stands(at)).sort((a, b) => a.distance - b.distance);
+  const isShutOff = ({ agent }: ObstacleApproach) => shutOff.some((shut) => shut.agent === agent);
+  return blocked.filter((at) => !stands(at) && !isShutOff(at)).sort((a, b) => a.distance - b.distance);
 }

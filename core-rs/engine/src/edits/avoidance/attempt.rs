@@ -6,7 +6,8 @@ use super::breaches::{Breach, Other};
 use super::obstacles::Blocked;
 use super::problem::Problem;
 use super::sampling::moved;
-use super::{AvoidanceReport, Edited, SLACK};
+use super::shut::ShutOff;
+use super::{AvoidanceReport, Edited, SLACK, is_among};
 use crate::edits::deviation::Deviation;
 use crate::motion::{Approach, Motion, clashes};
 
@@ -28,18 +29,19 @@ impl Attempt {
         let motion = moved(&problem.guide, &deviation);
         let clashes = clashes(&motion, problem.avoidance.minimum_distance - SLACK);
         let blocked = problem.avoidance.blocked(&motion, SLACK);
-        let open_count = open_count(&clashes, &problem.breaches, &motion) + free_count(&blocked, &problem.breaches);
+        let open_count = open_count(&clashes, &problem.breaches, &motion) + free_count(&blocked, &problem.breaches, &problem.shut_off);
         Self { rung, deviation, motion, clashes, blocked, open_count }
     }
 
     /// As it is handed out.
-    pub(super) fn into_edited(self, breaches: Vec<Breach>, is_clamped: [bool; 2]) -> Edited {
+    pub(super) fn into_edited(self, breaches: Vec<Breach>, shut_off: Vec<ShutOff>, is_clamped: [bool; 2]) -> Edited {
         let deviation = Deviation::new(self.motion.times().to_vec(), &self.deviation, is_clamped);
         let report = AvoidanceReport {
             deviation: self.deviation_lengths(),
             unsolved: self.clashes,
             blocked: self.blocked,
             breaches,
+            shut_off,
             rung: self.rung,
         };
         Edited { motion: self.motion, deviation: Some(deviation), report }
@@ -61,10 +63,10 @@ impl Attempt {
     }
 }
 
-/// Agents that an obstacle blocks and that no keyframe has too near to it.
-pub(super) fn free_count(blocked: &[Blocked], breaches: &[Breach]) -> usize {
+/// Agents that an obstacle blocks, that no keyframe has too near to it, and that have a way.
+pub(super) fn free_count(blocked: &[Blocked], breaches: &[Breach], shut_off: &[ShutOff]) -> usize {
     let is_breach = |at: &Blocked| breaches.iter().any(|breach| breach.agent == at.agent && breach.other == Other::Obstacle(at.obstacle));
-    blocked.iter().filter(|at| !is_breach(at)).count()
+    blocked.iter().filter(|at| !is_breach(at) && !is_among(shut_off, at.agent as usize)).count()
 }
 
 /// Clashes of pairs that no keyframe has too near, in the sixth next to it.

@@ -3,6 +3,7 @@
 use eigenform_apart::{Paths, Solver, State};
 
 use super::attempt::Attempt;
+use super::is_among;
 use super::problem::Problem;
 use super::reroute::reroute;
 use super::rungs::Rung;
@@ -44,11 +45,11 @@ pub(super) enum ClimbStep {
 impl Climb {
     /// Attempt `number` at the guide, once `warp` has bent its paths at the knots.
     pub(super) fn new(problem: &Problem, rung: Rung, number: usize, warp: impl FnOnce(&mut Paths)) -> Self {
-        let Problem { avoidance, guide, ways, .. } = problem;
+        let Problem { avoidance, guide, ways, shut_off, .. } = problem;
         let knot_count = rung.knot_count(*ways, avoidance.minimum_distance, guide.times().len());
         let mut paths = at_knots(guide, knot_count);
         if !avoidance.obstacles.is_empty() {
-            reroute(&mut paths, &avoidance.obstacles, avoidance.minimum_distance, avoidance.is_clamped, rung.may_split);
+            reroute(&mut paths, avoidance, rung.may_split, |agent| is_among(shut_off, agent));
         }
         warp(&mut paths);
         let kernel = rung.kernel(*ways, avoidance, knot_count);
@@ -96,7 +97,7 @@ impl Climb {
         let before = self.solver.visits();
         loop {
             if self.solver.needs_list() {
-                problem.lister.list(&mut self.solver, &problem.breaches, &problem.avoidance);
+                problem.lister.list(&mut self.solver, &problem.breaches, &problem.shut_off, &problem.avoidance);
             }
             let state = self.solver.sweep();
             if state != State::Working || self.solver.visits() - before >= VISITS_PER_STEP {

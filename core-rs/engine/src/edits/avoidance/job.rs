@@ -78,8 +78,8 @@ impl AvoidanceJob {
 
     fn check(&mut self, problem: Problem) -> AvoidanceStep {
         if !problem.can_be_mended() {
-            let Problem { guide, clashes, blocked, breaches, .. } = problem;
-            let report = AvoidanceReport { deviation: [0.0; 2], unsolved: clashes, blocked, breaches, rung: 0 };
+            let Problem { guide, clashes, blocked, breaches, shut_off, .. } = problem;
+            let report = AvoidanceReport { deviation: [0.0; 2], unsolved: clashes, blocked, breaches, shut_off, rung: 0 };
             return AvoidanceStep::Done(Box::new(Edited { motion: guide, deviation: None, report }));
         }
         self.streams = Streams::of(&problem.guide, &problem.clashes, problem.avoidance.minimum_distance);
@@ -132,6 +132,6 @@ impl AvoidanceJob {
             return self.progress(0.0);
         }
         let best = self.best.take().expect("a rung was climbed");
-        AvoidanceStep::Done(Box::new(best.attempt.into_edited(problem.breaches, problem.avoidance.is_clamped)))
+        AvoidanceStep::Done(Box::new(best.attempt.into_edited(problem.breaches, problem.shut_off, problem.avoidance.is_clamped)))
     }
 }

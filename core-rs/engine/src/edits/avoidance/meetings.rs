@@ -5,10 +5,11 @@ use std::ops::Range;
 use eigenform_apart::{Meeting, Outline, Paths, Solver};
 use glam::DVec2;
 
-use super::Avoidance;
 use super::breaches::{Breach, Other};
 use super::obstacles::Round;
 use super::rungs::greatest_step;
+use super::shut::ShutOff;
+use super::{Avoidance, is_among};
 use crate::formation::PairSearch;
 use crate::order;
 
@@ -25,8 +26,9 @@ pub(super) struct Lister {
 }
 
 impl Lister {
-    /// Gives the solver a new list of all who may meet, save those that a keyframe has too near, next to it.
-    pub(super) fn list(&mut self, solver: &mut Solver, breaches: &[Breach], avoidance: &Avoidance) {
+    /// Gives the solver a new list of all who may meet, save those that a keyframe has too near, next to it, and
+    /// of agents without a way with what stands in it.
+    pub(super) fn list(&mut self, solver: &mut Solver, breaches: &[Breach], shut_off: &[ShutOff], avoidance: &Avoidance) {
         let mut meetings = solver.take_list();
         let reach = solver.reach();
         let paths = solver.paths();
@@ -44,6 +46,9 @@ impl Lister {
                 }
             };
             near_outline_into(paths, agents, (number, outline), reach, &mut meetings);
+        }
+        if !shut_off.is_empty() {
+            meetings.retain(|meeting| meeting.j < paths.agent_count() as u32 || !is_among(shut_off, meeting.i as usize));
         }
         if !breaches.is_empty() {
             let knot_count = paths.knot_count();

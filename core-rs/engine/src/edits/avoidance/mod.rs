@@ -14,6 +14,7 @@ mod problem;
 mod reroute;
 mod rungs;
 mod sampling;
+mod shut;
 mod spread;
 mod streams;
 mod warp;
@@ -28,6 +29,7 @@ pub use breaches::{Breach, Other};
 pub use eigenform_apart::Outline;
 pub use job::{AvoidanceJob, AvoidanceStep};
 pub use obstacles::{Blocked, Hold, nearest_to};
+pub use shut::ShutOff;
 pub use spread::{SpreadJob, SpreadStep};
 pub use warp::is_modest;
 
@@ -73,6 +75,8 @@ pub struct AvoidanceReport {
     pub blocked: Vec<Blocked>,
     /// Who is too near at which end already.
     pub breaches: Vec<Breach>,
+    /// Whom no way leads around obstacles; they stay on the guide.
+    pub shut_off: Vec<ShutOff>,
     /// Which attempt this is, from 1; 0 when the guide needed none.
     pub rung: usize,
 }
@@ -94,8 +98,16 @@ pub(super) fn way_around(guide: &Motion, obstacles: &[Outline], distance: f64) -
     }
     let straight = sampling::at_knots(guide, rungs::RUNGS[0].knot_count(ways, distance, sample_count));
     let mut paths = straight.clone();
-    reroute::reroute(&mut paths, obstacles, distance, [true; 2], true);
+    let avoidance =
+        Avoidance { minimum_distance: distance, is_clamped: [true; 2], seed: 0, obstacles: obstacles.to_vec(), holds: Vec::new() };
+    let shut_off = shut::shut_off(guide, &avoidance.blocked(guide, SLACK), obstacles, distance);
+    reroute::reroute(&mut paths, &avoidance, true, |agent| is_among(&shut_off, agent));
     sampling::lifted(&sampling::difference(&paths, &straight), guide.times(), [true; 2])
+}
+
+/// Whether no way leads an agent around obstacles.
+fn is_among(shut_off: &[ShutOff], agent: usize) -> bool {
+    shut_off.binary_search_by_key(&agent, |shut| shut.agent as usize).is_ok()
 }
 
 /// The exact check alone, of a motion that something else keeps apart; the deviation is the caller's.
@@ -106,6 +118,7 @@ pub fn judge(avoidance: &Avoidance, motion: &Motion) -> AvoidanceReport {
         unsolved: clashes(motion, least),
         blocked: avoidance.blocked(motion, SLACK),
         breaches: if motion.agent_count() > 0 { breaches::breaches(motion, avoidance, SLACK, BREACH_LIMIT) } else { Vec::new() },
+        shut_off: Vec::new(),
         rung: 0,
     }
 }

@@ -5,6 +5,7 @@ use super::breaches::Breach;
 use super::meetings::Lister;
 use super::obstacles::Blocked;
 use super::rungs::Ways;
+use super::shut::{ShutOff, shut_off};
 use super::{Avoidance, AvoidanceReport, BREACH_LIMIT, judge};
 use crate::motion::{Approach, Motion};
 
@@ -18,6 +19,8 @@ pub(super) struct Problem {
     /// Of the guide.
     pub(super) blocked: Vec<Blocked>,
     pub(super) breaches: Vec<Breach>,
+    /// By number.
+    pub(super) shut_off: Vec<ShutOff>,
     pub(super) lister: Lister,
 }
 
@@ -25,12 +28,14 @@ impl Problem {
     /// Checks the guide exactly.
     pub(super) fn of(avoidance: Avoidance, guide: Motion) -> Self {
         let AvoidanceReport { unsolved, blocked, breaches, .. } = judge(&avoidance, &guide);
-        Self { ways: Ways::of(&guide), clashes: unsolved, blocked, breaches, lister: Lister::default(), avoidance, guide }
+        let shut_off = shut_off(&guide, &blocked, &avoidance.obstacles, avoidance.minimum_distance);
+        Self { ways: Ways::of(&guide), clashes: unsolved, blocked, breaches, shut_off, lister: Lister::default(), avoidance, guide }
     }
 
     /// Whether somebody comes too near whom no keyframe is to blame for, and can be moved.
     pub(super) fn can_be_mended(&self) -> bool {
-        let is_open = open_count(&self.clashes, &self.breaches, &self.guide) + free_count(&self.blocked, &self.breaches) > 0;
+        let is_open =
+            open_count(&self.clashes, &self.breaches, &self.guide) + free_count(&self.blocked, &self.breaches, &self.shut_off) > 0;
         // Three samples have one between the keyframes; a bump needs two.
         is_open && self.ways.mean > 0.0 && self.guide.times().len() >= 4 && self.breaches.len() < BREACH_LIMIT
     }

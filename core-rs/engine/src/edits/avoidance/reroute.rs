@@ -7,6 +7,7 @@
 use eigenform_apart::{Kernel, Outline, Paths};
 use glam::DVec2;
 
+use super::Avoidance;
 use super::hull::{chain, extent, grown, way_out};
 
 /// Obstacles may push into one another's way; after so many rounds what is left is left to the pushes.
@@ -37,20 +38,22 @@ const LONGEST_SMOOTHING: f64 = 0.1;
 /// Who passes within so many minimum distances of an obstacle, or within its width, passes near by.
 const NEAR_BY: f64 = 4.0;
 
-/// Leads paths around outlines; velocities at clamped ends stay.
-pub(super) fn reroute(paths: &mut Paths, outlines: &[Outline], distance: f64, is_clamped: [bool; 2], may_split: bool) {
+/// Leads paths around obstacles, save of those without a way; velocities at clamped ends stay.
+pub(super) fn reroute(paths: &mut Paths, avoidance: &Avoidance, may_split: bool, is_shut_off: impl Fn(usize) -> bool) {
+    let Avoidance { obstacles: outlines, minimum_distance: distance, is_clamped, .. } = avoidance;
+    let free: Vec<usize> = (0..paths.agent_count()).filter(|agent| !is_shut_off(*agent)).collect();
     let guide = paths.clone();
     let mut is_moved = vec![false; paths.agent_count()];
     for _ in 0..ROUNDS {
         let mut has_blocked = false;
         for outline in outlines {
-            has_blocked |= around(paths, outline, distance, may_split, &mut is_moved);
+            has_blocked |= around(paths, (outline, *distance), &free, may_split, &mut is_moved);
         }
         if !has_blocked {
             break;
         }
     }
-    let kernel = Kernel::new(paths.knot_count(), smoothing_time(&guide, outlines, distance), is_clamped);
+    let kernel = Kernel::new(paths.knot_count(), smoothing_time(&guide, outlines, *distance), *is_clamped);
     for agent in (0..paths.agent_count()).filter(|agent| is_moved[*agent]) {
         for axis in 0..2 {
             let old = guide.path(axis, agent);
@@ -73,9 +76,9 @@ fn smoothing_time(guide: &Paths, outlines: &[Outline], distance: f64) -> f64 {
     wanted.clamp(SMOOTHING, (LONGEST_SMOOTHING * knot_count as f64).max(SMOOTHING))
 }
 
-/// One obstacle; whether anybody was blocked.
-fn around(paths: &mut Paths, outline: &Outline, distance: f64, may_split: bool, is_moved: &mut [bool]) -> bool {
-    let blocked: Vec<usize> = (0..paths.agent_count()).filter(|agent| span(paths, *agent, outline, distance).is_some()).collect();
+/// One obstacle, for those who have a way; whether anybody of them was blocked.
+fn around(paths: &mut Paths, (outline, distance): (&Outline, f64), free: &[usize], may_split: bool, is_moved: &mut [bool]) -> bool {
+    let blocked: Vec<usize> = free.iter().copied().filter(|agent| span(paths, *agent, outline, distance).is_some()).collect();
     let mut left = blocked.clone();
     while let Some(&leader) = left.first() {
         let heading = heading(paths, leader);
@@ -83,7 +86,7 @@ fn around(paths: &mut Paths, outline: &Outline, distance: f64, may_split: bool, 
         let (group, others): (Vec<usize>, Vec<usize>) = left.iter().partition(|agent| **agent == leader || is_alike(**agent));
         left = others;
         // Also those who would pass free, where the others are pushed out to.
-        let everybody: Vec<usize> = (0..paths.agent_count()).filter(|agent| group.contains(agent) || is_alike(*agent)).collect();
+        let everybody: Vec<usize> = free.iter().copied().filter(|agent| group.contains(agent) || is_alike(*agent)).collect();
         let right = -heading.perp();
         let parts = if may_split { split(paths, (outline, distance), &group, &everybody, right) } else { None };
         let parts = parts.unwrap_or_else(|| vec![(better_side(paths, outline, &group, right), group)]);

@@ -97,9 +97,9 @@ impl SpreadJob {
         let mut attempts: Vec<Option<Attempt>> = std::mem::take(&mut self.attempts).into_iter().map(Some).collect();
         let widths = attempts.iter().flatten().map(|attempt| u128::from(order::of_real(attempt.deviation_lengths()[1])));
         let nearest_first = order::by_key(widths);
-        let (breaches, is_clamped) = (&self.problem.breaches, self.problem.avoidance.is_clamped);
+        let Problem { breaches, shut_off, avoidance: Avoidance { is_clamped, .. }, .. } = &self.problem;
         let taken = nearest_first.into_iter().filter_map(|index| attempts[index as usize].take());
-        taken.map(|attempt| attempt.into_edited(breaches.clone(), is_clamped)).collect()
+        taken.map(|attempt| attempt.into_edited(breaches.clone(), shut_off.clone(), *is_clamped)).collect()
     }
 }
 

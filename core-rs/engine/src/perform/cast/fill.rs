@@ -109,6 +109,7 @@ impl Cast {
     fn number_avoided(&self, avoided: &mut Avoided) {
         self.number(avoided.guide_clearance.iter_mut().chain(&mut avoided.unsolved));
         self.number_blocked(&mut avoided.blocked);
+        avoided.shut_off.iter_mut().for_each(|shut| shut.agent = self.agent(shut.agent));
         for Breach { agent, other, .. } in &mut avoided.breaches {
             *agent = self.agent(*agent);
             if let Other::Agent(other) = other {
