@@ -1,10 +1,12 @@
+import { useComputed } from "@preact/signals";
 import { NOT_LOADED } from "./messages";
 import { useStudio } from "./studio";
 
 /** The scene's title, edited in place. */
 export function TitleField() {
   const { document, messages } = useStudio();
-  const title = document.scene.value.title;
+  // Drawn anew by another title alone: what is being typed outlives whatever else changes in the scene.
+  const title = useComputed(() => document.scene.value.title).value;
 
   const rename = (to: string) => {
     import("../document/commands/scene").then(
