@@ -84,7 +84,7 @@ fn bad_input_is_two_and_says_where() {
 #[test]
 fn a_recording_in_place_of_a_scene_is_told_the_command_that_makes_one_of_it() {
     let desk = Desk::new();
-    let rows: String = (0..=120).map(|frame| format!("1 {frame} {frame} 0\n")).collect();
+    let rows = (0..=120).map(|frame| format!("1 {frame} {frame} 0\n")).collect::<Vec<_>>().concat();
     desk.put("crowd.txt", &format!("# framerate: 10\n{rows}"));
     let said = desk.run(&["check", "crowd.txt"]).stderr;
     let typed = "convert RECORDING show.eigenform.json --frames 0,120";
