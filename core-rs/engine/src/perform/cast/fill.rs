@@ -28,7 +28,9 @@ impl Cast {
         performed.held_clearance.iter_mut().for_each(|held| held.agent = self.agent(held.agent));
         if let Some(crowded) = &mut performed.crowded {
             crowded.deviation.number(&self.there);
-            crowded.hurried.iter_mut().for_each(|hurry| hurry.agent = self.agent(hurry.agent));
+            for hurry in &mut crowded.hurried {
+                hurry.agent = self.agent(hurry.agent);
+            }
         }
         if let Some(deviation) = &mut performed.deviation {
             deviation.number(&self.there);
@@ -109,7 +111,9 @@ impl Cast {
     fn number_avoided(&self, avoided: &mut Avoided) {
         self.number(avoided.guide_clearance.iter_mut().chain(&mut avoided.unsolved));
         self.number_blocked(&mut avoided.blocked);
-        avoided.shut_off.iter_mut().for_each(|shut| shut.agent = self.agent(shut.agent));
+        for shut in &mut avoided.shut_off {
+            shut.agent = self.agent(shut.agent);
+        }
         for Breach { agent, other, .. } in &mut avoided.breaches {
             *agent = self.agent(*agent);
             if let Other::Agent(other) = other {
