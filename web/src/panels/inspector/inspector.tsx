@@ -43,10 +43,16 @@ export function Inspector({ isSheetOpen }: { isSheetOpen: Signal<boolean> }) {
         </TabButton>
       </div>
       <div class="tab-panel" id="inspector-panel" role="tabpanel" aria-labelledby={`tab-${tab.value}`}>
-        {/* Another selection is another try. */}
-        <Safely key={`${tab.value} ${document.selection.value.kind}`}>
-          {tab.value === "agents" ? <AgentsTable /> : <Panel />}
-        </Safely>
+        {tab.value === "agents" ? (
+          <Safely key="table">
+            <AgentsTable />
+          </Safely>
+        ) : (
+          // Another kind of selection is another try.
+          <Safely key={document.selection.value.kind}>
+            <Panel />
+          </Safely>
+        )}
       </div>
     </section>
   );
