@@ -34,7 +34,7 @@ test("from two pictures to a crowd and the numbers to judge it by", async ({ stu
 
   await page.keyboard.press("Escape");
   await inspector.getByRole("button", { name: "Propose groups" }).click();
-  await inspector.getByRole("radio", { name: "Alike" }).check({ force: true });
+  await inspector.getByRole("radio", { name: "Alike" }).check();
   await expect(inspector.getByText(/^\d+ groups/)).toBeVisible();
   await inspector.getByRole("button", { name: "Accept" }).click();
 
@@ -48,7 +48,7 @@ test("from two pictures to a crowd and the numbers to judge it by", async ({ stu
   expect(scene.groups?.length).toBeGreaterThan(1);
 
   await inspector.getByRole("button", { name: "Compare side by side" }).click();
-  await dialog.getByRole("radio", { name: "Table and plots" }).check({ force: true });
+  await dialog.getByRole("radio", { name: "Table and plots" }).check();
   await dialog.getByRole("combobox", { name: "What to compare" }).selectOption("A crowd and what others do (table 3)");
   const rows = dialog.getByRole("table", { name: "Averages over time of all ways" }).getByRole("row");
   await expect(rows).toHaveCount(1 + 3);
