@@ -1,4 +1,4 @@
-import { expect, FIRST_STROKE, type Place, test } from "./fixtures/studio";
+import { expect, FIRST_STROKE, type Place, type Studio, test } from "./fixtures/studio";
 
 /** Where agent `index` of twelve stands on the first stroke; halves are between two. */
 function agent(index: number): Place {
@@ -23,7 +23,8 @@ test("a tie is pulled, weighed and cut", async ({ studio, page }) => {
   expect((await studio.sceneFile()).adjacency?.cuts ?? []).toEqual([]);
 });
 
-test("a group is made of a marquee, named, tied and dissolved", async ({ studio, page }) => {
+/** Twelve agents, of whom a marquee takes the first four. */
+async function pickFirstFour(studio: Studio): Promise<void> {
   await studio.openEmpty();
   await studio.draw(FIRST_STROKE);
   await studio.tool("Select").click();
@@ -31,6 +32,10 @@ test("a group is made of a marquee, named, tied and dissolved", async ({ studio,
     [0.2, 0.25],
     [0.4, 0.45],
   ]);
+}
+
+test("a group is made of a marquee, named, tied and dissolved", async ({ studio, page }) => {
+  await pickFirstFour(studio);
   await page.keyboard.press("Control+g");
   const name = studio.inspector.getByRole("textbox", { name: "Name" });
   await name.fill("Brass");
@@ -46,13 +51,7 @@ test("a group is made of a marquee, named, tied and dissolved", async ({ studio,
 });
 
 test("bodies have a size and a top speed, each in one step", async ({ studio, page }) => {
-  await studio.openEmpty();
-  await studio.draw(FIRST_STROKE);
-  await studio.tool("Select").click();
-  await studio.drag([
-    [0.2, 0.25],
-    [0.4, 0.45],
-  ]);
+  await pickFirstFour(studio);
   const { inspector } = studio;
   const radius = inspector.getByRole("spinbutton", { name: "Radius" });
   await radius.fill("0.4");

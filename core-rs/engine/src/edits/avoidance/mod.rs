@@ -20,6 +20,7 @@ mod streams;
 mod warp;
 
 use eigenform_apart::Paths;
+use glam::DVec2;
 
 use crate::motion::{Approach, Motion, clashes};
 
@@ -121,4 +122,10 @@ pub fn judge(avoidance: &Avoidance, motion: &Motion) -> AvoidanceReport {
         shut_off: Vec::new(),
         rung: 0,
     }
+}
+
+/// Where an agent is as seen from above.
+fn at(paths: &Paths, agent: usize, knot: usize) -> DVec2 {
+    let [x, y, _] = paths.place(agent, knot);
+    DVec2::new(x, y)
 }

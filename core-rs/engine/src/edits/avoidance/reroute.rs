@@ -1,14 +1,15 @@
 //! Leads a guide around what stands in its way, before anybody is pushed.
 //!
 //! Whoever heads the same way passes on the same side, each as far outside as they stand to that side of the others: a block bows out
-//! as a block. A block that is wider than the obstacle on both sides opens about its middle and closes behind it. The way around is the shortest about the convex hull of the obstacle, grown by the distance; it is walked with the
-//! guide's own clock, by arc length. Notches are entered only by those who stand in them: straight out or in, by the shortest way.
+//! as a block. A block that is wider than the obstacle on both sides opens about its middle and closes behind it. The way around is the
+//! shortest about the convex hull of the obstacle, grown by the distance; it is walked with the guide's own clock, by arc length. Notches
+//! are entered only by those who stand in them: straight out or in, by the shortest way.
 
 use eigenform_apart::{Kernel, Outline, Paths};
 use glam::DVec2;
 
-use super::Avoidance;
 use super::hull::{chain, extent, grown, way_out};
+use super::{Avoidance, at};
 
 /// Obstacles may push into one another's way; after so many rounds what is left is left to the pushes.
 const ROUNDS: usize = 3;
@@ -217,11 +218,6 @@ fn walked(old: &[DVec2], way: &[DVec2]) -> Vec<DVec2> {
         way[piece].lerp(way[piece + 1], t)
     };
     old.iter().map(place).collect()
-}
-
-fn at(paths: &Paths, agent: usize, knot: usize) -> DVec2 {
-    let [x, y, _] = paths.place(agent, knot);
-    DVec2::new(x, y)
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@
 use eigenform_apart::Paths;
 use glam::DVec2;
 
+use super::at;
 use crate::motion::{Approach, Motion};
 use crate::order;
 
@@ -189,11 +190,6 @@ fn plateau(t: f64, [from, to]: [f64; 2]) -> f64 {
         x * x * x * (10.0 - x * (15.0 - 6.0 * x))
     };
     if t <= 0.0 || t >= 1.0 { 0.0 } else { rise(t / from.max(f64::MIN_POSITIVE)) * rise((1.0 - t) / (1.0 - to).max(f64::MIN_POSITIVE)) }
-}
-
-fn at(paths: &Paths, agent: usize, knot: usize) -> DVec2 {
-    let [x, y, _] = paths.place(agent, knot);
-    DVec2::new(x, y)
 }
 
 #[cfg(test)]
