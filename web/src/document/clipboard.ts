@@ -1,6 +1,7 @@
 import { addAgents, placeAgents } from "./commands/agents";
 import type { Formation, Point } from "./formation";
-import { agentLabel, placementAt } from "./queries";
+import { placementAt } from "./placement";
+import { agentLabel } from "./queries";
 import { mainTrack, type Scene } from "./scene";
 import type { Selection } from "./selection";
 import type { Command } from "./store";

@@ -1,5 +1,4 @@
 import type { Group, GroupPath } from "./scene";
-import { areSame } from "./sets";
 
 /** The group at a path; undefined when there is none. */
 export function groupAt(groups: readonly Group[], path: GroupPath): Group | undefined {
@@ -50,13 +49,4 @@ export function groupOfAgents(groups: readonly Group[], agentCount: number): rea
 /** How deep the tree is: 0 without groups. */
 export function groupDepth(groups: readonly Group[]): number {
   return groups.reduce((depth, group) => Math.max(depth, 1 + groupDepth(group.children)), 0);
-}
-
-/** The outermost group of exactly these agents; null when there is none. */
-export function groupWithSet(groups: readonly Group[], agents: ReadonlySet<number>): GroupPath | null {
-  const isIt = (path: GroupPath) => {
-    const group = groupAt(groups, path);
-    return group !== undefined && areSame(groupSet(group), agents);
-  };
-  return groupPaths(groups).find(isIt) ?? null;
 }

@@ -4,7 +4,8 @@ import { makeGroup } from "./commands/groups";
 import { duplicateKeyframe } from "./commands/keyframes";
 import { emptyScene } from "./defaults";
 import { brokenLimit, LIMITS, mostAgents } from "./limits";
-import { agentLabel, groupLabel, placementAt, selectedAgents } from "./queries";
+import { placementAt } from "./placement";
+import { agentLabel, groupLabel, selectedAgents } from "./queries";
 import { mainTrack, type Scene } from "./scene";
 import { NOTHING } from "./selection";
 

@@ -3,7 +3,7 @@ import { boxOf, centerOf } from "../document/box";
 import { dissolveGroup, makeGroup, setGroupTieWeight } from "../document/commands/groups";
 import { addTie, DRAWN_TIE_FACTOR, WHOLE_SCENE } from "../document/commands/ties";
 import { alignAgents, distributeAgents, type Edge, flipAgents, rotateAgents } from "../document/commands/transform";
-import { groupWithSet } from "../document/groups";
+import { groupWithSet } from "../document/group-with-set";
 import { agentLabel, groupLabel, selectedAgents } from "../document/queries";
 import { mainTrack } from "../document/scene";
 import type { Command } from "../document/store";

@@ -2,12 +2,13 @@ import type { Selection } from "../document/selection";
 import type { TieList } from "../engine/api";
 import type { Overlay } from "../tools/toolbox";
 import type { Frame } from "./frame";
-import { handlePlace, type Lifts, type SelectionBox, selectionBounds, selectionBox } from "./handles";
+import { handlePlace, type SelectionBox, selectionBounds, selectionBox } from "./handles";
 import { drawNamePill, needsPill } from "./layers/name-pill";
 import { drawOverlay } from "./layers/overlay";
 import { drawReadout } from "./layers/readout";
 import { drawSelectedTie } from "./layers/selected-tie";
 import { drawBox, drawHoverRing, drawRings } from "./layers/selection";
+import type { Lifts } from "./lifts";
 import { FEW_SELECTED } from "./subject";
 import { tieStrength, tieWidth } from "./ties";
 

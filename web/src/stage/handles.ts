@@ -1,14 +1,12 @@
 import type { Bounds, ScreenPoint } from "./camera";
-import type { Camera, Projection } from "./view";
+import type { Lifts } from "./lifts";
+import type { Camera } from "./view";
 
 /** Compass corners and edges scale, `rotate` turns, `lift` raises; north is up on the screen. */
 export type ScaleHandle = "nw" | "n" | "ne" | "e" | "se" | "s" | "sw" | "w";
 export type Handle = ScaleHandle | "rotate" | "lift";
 
 export const SCALE_HANDLES: readonly ScaleHandle[] = ["nw", "n", "ne", "e", "se", "s", "sw", "w"];
-
-/** Which selections can be pulled up: all, those with a box, or none where up on the screen is height already. */
-export type Lifts = "everybody" | "boxes" | "nobody";
 
 /** CSS pixels: how far the handle to turn stands above the box, and the one to lift beside it. */
 const REACH = 22;
@@ -23,12 +21,6 @@ export interface SelectionBox {
   readonly bottom: number;
   /** One agent, or several on one spot: nothing to scale or to turn, and no frame is drawn. */
   readonly isSpot: boolean;
-}
-
-/** A plane show keeps single agents free of a handle: most are never lifted. */
-export function liftsOf(projection: Projection, isSpatial: boolean): Lifts {
-  if (projection === "front") return "nobody";
-  return isSpatial ? "everybody" : "boxes";
 }
 
 /** Where the selected agents stand: meters, no margin; null when none is. */

@@ -1,6 +1,7 @@
 import { addToGroup, makeGroup, removeFromGroup } from "../document/commands/groups";
 import type { Point } from "../document/formation";
-import { groupOf, groupWithSet } from "../document/groups";
+import { groupWithSet } from "../document/group-with-set";
+import { groupOf } from "../document/groups";
 import { groupLabel } from "../document/queries";
 import type { GroupPath } from "../document/scene";
 import { NOTHING } from "../document/selection";

@@ -1,7 +1,7 @@
 import { addAgents, placeAgents } from "../document/commands/agents";
 import { Formation, type Point } from "../document/formation";
 import { mostAgents } from "../document/limits";
-import { type Placement, placementAt } from "../document/queries";
+import { type Placement, placementAt } from "../document/placement";
 import { mainTrack } from "../document/scene";
 import { snapApart, snapOf } from "../document/snap";
 import { formatCount } from "../document/units";

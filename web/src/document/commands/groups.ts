@@ -1,5 +1,6 @@
 import { chooseAllAgain } from "../edit";
-import { groupAt, groupPaths, groupSet, groupWithSet } from "../groups";
+import { groupWithSet } from "../group-with-set";
+import { groupAt, groupPaths, groupSet } from "../groups";
 import { clipText, LIMITS, withinLimits } from "../limits";
 import { GROUP_COLORS } from "../palette";
 import { innermostHolder } from "../pick";

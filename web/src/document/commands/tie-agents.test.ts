@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import { emptyScene } from "../defaults";
-import { groupAt, groupWithSet } from "../groups";
+import { groupWithSet } from "../group-with-set";
+import { groupAt } from "../groups";
 import { addAgents } from "./agents";
 import { tieAgents } from "./tie-agents";
 

@@ -1,4 +1,4 @@
-import { groupWithSet } from "../groups";
+import { groupWithSet } from "../group-with-set";
 import type { Command } from "../store";
 import { makeGroup, setGroupTieWeight } from "./groups";
 

@@ -14,7 +14,8 @@ import {
   Ungroup,
 } from "lucide";
 import { tieAgents } from "../../document/commands/tie-agents";
-import { groupAt, groupWithSet } from "../../document/groups";
+import { groupWithSet } from "../../document/group-with-set";
+import { groupAt } from "../../document/groups";
 import { Icon } from "../../theme/icons";
 import { IconAction } from "../action-button";
 import { PopoverButton } from "../controls/popover";

@@ -1,5 +1,6 @@
 import { useComputed } from "@preact/signals";
-import { keyframeLabel, type Placement, placementAt } from "../../document/queries";
+import { type Placement, placementAt } from "../../document/placement";
+import { keyframeLabel } from "../../document/queries";
 import { momentAt } from "../../document/timing";
 import { formatCount } from "../../document/units";
 import { useStudio } from "../studio";

@@ -1,5 +1,6 @@
 import { useSignalEffect } from "@preact/signals";
-import { useLayoutEffect, useMemo, useRef } from "preact/hooks";
+import type { RefObject } from "preact";
+import { useEffect, useLayoutEffect, useMemo, useRef } from "preact/hooks";
 import { selectedRun } from "../../document/run";
 import { mainTrack } from "../../document/scene";
 import { lazily } from "../lazily";
@@ -9,7 +10,7 @@ import { Playhead, TimeSlider } from "./playhead";
 import { Ribbons } from "./ribbons";
 import { RulerStrip } from "./ruler-strip";
 import { Scrubber } from "./scrubber";
-import { TrackTouch } from "./track-touch";
+import type { TrackTouch } from "./track-touch";
 import { Transport } from "./transport";
 import { createViewport, type Viewport } from "./viewport";
 import "./timeline.css";
@@ -23,7 +24,7 @@ const Overview = lazily(() => import("./overview").then((part) => part.Overview)
 export function Timeline() {
   const { document, playback } = useStudio();
   const viewport = useMemo(() => createViewport(document, playback), [document, playback]);
-  const touch = useMemo(() => new TrackTouch(viewport), [viewport]);
+  const touch = useTouch(viewport);
   const window = useRef<HTMLDivElement>(null);
   const track = useRef<HTMLDivElement>(null);
 
@@ -55,16 +56,16 @@ export function Timeline() {
         id="timeline-track"
         class="track-window"
         onPointerDown={(event) => {
-          if (event.pointerType === "touch") touch.down(event.pointerId, event.clientX);
+          if (event.pointerType === "touch") touch.current?.down(event.pointerId, event.clientX);
         }}
         onPointerMove={(event) => {
           if (event.pointerType !== "touch") return;
-          touch.move(event.pointerId, event.clientX, event.currentTarget.getBoundingClientRect().left);
+          touch.current?.move(event.pointerId, event.clientX, event.currentTarget.getBoundingClientRect().left);
         }}
-        onPointerUp={(event) => touch.up(event.pointerId)}
-        onPointerCancel={(event) => touch.up(event.pointerId)}
+        onPointerUp={(event) => touch.current?.up(event.pointerId)}
+        onPointerCancel={(event) => touch.current?.up(event.pointerId)}
         onClickCapture={(event) => {
-          if (touch.takesClick()) event.stopPropagation();
+          if (touch.current?.takesClick()) event.stopPropagation();
         }}
         onWheel={(event) => {
           event.preventDefault();
@@ -88,6 +89,21 @@ export function Timeline() {
       </div>
     </section>
   );
+}
+
+/** Fingers on the track, once the page is drawn. */
+function useTouch(viewport: Viewport): RefObject<TrackTouch> {
+  const touch = useRef<TrackTouch>(null);
+  useEffect(() => {
+    import("./track-touch").then(
+      (part) => {
+        touch.current = new part.TrackTouch(viewport);
+      },
+      // Without it the overview still leads everywhere.
+      () => {},
+    );
+  }, [viewport]);
+  return touch;
 }
 
 /** Turns the page when the playhead plays out of sight; whoever has scrolled elsewhere is left there. */

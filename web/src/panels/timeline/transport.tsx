@@ -1,12 +1,15 @@
 import type { IconNode } from "lucide";
-import { Copy, Ellipsis, Pause, Play, Plus, Repeat, SkipBack, SkipForward, Trash2 } from "lucide";
+import { Copy, Ellipsis, Pause, Play, Plus, SkipBack, SkipForward, Trash2 } from "lucide";
 import { Icon } from "../../theme/icons";
 import { PopoverButton } from "../controls/popover";
+import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { keyName, keyShortcuts, useAction } from "../use-action";
 import { Clock } from "./clock-face";
 import { Legend } from "./legend";
-import { SpeedMenu } from "./speed-menu";
+import { PlayWays } from "./play-ways";
+
+const TransportItems = lazily(() => import("./transport-items").then((part) => part.TransportItems));
 
 /** Play, where the show is, how it repeats; at the right what one does to keyframes. */
 export function Transport() {
@@ -19,9 +22,7 @@ export function Transport() {
       <ActionButton id="go-to-end" name="To end" node={SkipForward} isOff={isEmpty} />
       <Clock />
       <span class="transport-wide">
-        <LoopButton />
-        <SpeedMenu />
-        <CountsButton />
+        <PlayWays />
       </span>
       <span class="transport-gap" />
       <Legend />
@@ -75,45 +76,6 @@ function ActionButton(props: { id: string; name: string; node: IconNode; isOff?:
   );
 }
 
-function LoopButton() {
-  const { playback } = useStudio();
-  const { action } = useAction("loop");
-  return (
-    <button
-      type="button"
-      class="icon-button"
-      aria-label="Loop"
-      aria-pressed={playback.isLooping.value}
-      aria-keyshortcuts={keyShortcuts(action.keys)}
-      data-tip={playback.range.value ? "Loop the marked range" : "Loop"}
-      data-tip-side="top"
-      data-keys={action.keys[0] && keyName(action.keys[0])}
-      onClick={() => action.run()}
-    >
-      <Icon node={Repeat} />
-    </button>
-  );
-}
-
-/** Whether the ruler, the clock and a drag go by counts. */
-function CountsButton() {
-  const { view } = useStudio();
-  const { action } = useAction("counts");
-  return (
-    <button
-      type="button"
-      class="toggle"
-      aria-label="Counts"
-      aria-pressed={view.ruler.value === "counts"}
-      data-tip="Counts and bars instead of seconds"
-      data-tip-side="top"
-      onClick={() => action.run()}
-    >
-      Counts
-    </button>
-  );
-}
-
 function AddButton() {
   const { action, isEnabled } = useAction("add-keyframe");
   return (
@@ -136,34 +98,10 @@ function AddButton() {
 
 /** What a narrow screen has no room for. */
 function More() {
-  const duplicate = useAction("duplicate-keyframe");
-  const remove = useAction("delete-keyframe");
   return (
     <span class="transport-narrow">
       <PopoverButton label="More" buttonClass="icon-button" side="above" face={<Icon node={Ellipsis} />}>
-        {(close) => (
-          <div class="menu">
-            <button type="button" class="menu-item" onClick={() => [close(), duplicate.action.run()]}>
-              <Icon node={Copy} />
-              Duplicate keyframe
-            </button>
-            <button
-              type="button"
-              class="menu-item"
-              disabled={!remove.isEnabled}
-              onClick={() => [close(), remove.action.run()]}
-            >
-              <Icon node={Trash2} />
-              Delete keyframe
-            </button>
-            <hr class="menu-line" />
-            <div class="menu-row">
-              <LoopButton />
-              <SpeedMenu />
-              <CountsButton />
-            </div>
-          </div>
-        )}
+        {(close) => <TransportItems close={close} />}
       </PopoverButton>
     </span>
   );

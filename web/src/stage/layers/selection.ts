@@ -1,6 +1,7 @@
 import type { ScreenPoint } from "../camera";
 import type { Frame } from "../frame";
-import { handlePlace, handlesOf, type Lifts, SCALE_HANDLES, type SelectionBox } from "../handles";
+import { handlePlace, handlesOf, SCALE_HANDLES, type SelectionBox } from "../handles";
+import type { Lifts } from "../lifts";
 
 /** Rings about the selected agents. */
 export function drawRings(context: CanvasRenderingContext2D, frame: Frame, agents: Iterable<number>): void {
