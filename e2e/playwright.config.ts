@@ -31,7 +31,8 @@ export default defineConfig({
   use: {
     baseURL,
     launchOptions,
-    trace: { mode: "retain-on-failure", screenshots: false },
+    // A seventh of the time; `--trace retain-on-failure` where a failure is looked into.
+    trace: "off",
     screenshot: "only-on-failure",
   },
   webServer: {

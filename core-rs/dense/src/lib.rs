@@ -1,20 +1,12 @@
 //! Dense linear algebra on one thread: the only place that calls faer's kernels.
 //!
 //! A crate of its own because faer is generic: its kernels are compiled where they are called, and here they are compiled for speed
-//! while the rest of the browser's engine is compiled for size. Symmetric eigenproblems, and products in the browser, are solved here:
-//! what a browser makes of faer's takes up to twice as long.
+//! while the rest of the browser's engine is compiled for size.
 
 #![forbid(unsafe_code)]
 
-mod columns;
-mod conquer;
 pub mod messages;
 mod reduced;
-mod reduction;
-mod secular;
-mod thin;
-mod tiles;
-mod tridiagonal;
 
 use faer::linalg::matmul::matmul;
 use faer::{Accum, ColRef, Mat, MatMut, MatRef, Par};
@@ -23,9 +15,6 @@ pub use reduced::Reduced;
 
 /// Where only the lower triangle is wanted, so many columns are made at a time, from the diagonal down.
 const TRIANGLE_WIDTH: usize = 64;
-
-/// A product with a side below this is not made in tiles.
-const LEAST_SIDE: usize = 8;
 
 /// A symmetric matrix as eigenvalues, ascending, and orthonormal eigenvectors, a column each.
 pub struct SymmetricEigen {
@@ -51,29 +40,8 @@ pub fn product(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> Mat<f64> {
 }
 
 /// out = left · right.
-pub fn product_into(mut out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
-    if goes_by_tiles(left, right) {
-        out.fill(0.0);
-        tiles::add_product(out, left, right, 1.0);
-    } else if cfg!(target_arch = "wasm32") && right.ncols() < LEAST_SIDE && thin::is_possible(left, right) {
-        thin::product_into(out, left, right);
-    } else {
-        matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
-    }
-}
-
-/// out −= left · right.
-pub(crate) fn subtract_product(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
-    if goes_by_tiles(left, right) {
-        tiles::add_product(out, left, right, -1.0);
-    } else {
-        matmul(out, Accum::Add, left, right, -1.0, Par::Seq);
-    }
-}
-
-/// Those with a short side are not worth packing.
-fn goes_by_tiles(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> bool {
-    cfg!(target_arch = "wasm32") && left.nrows().min(left.ncols()).min(right.ncols()) >= LEAST_SIDE
+pub fn product_into(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+    matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
 }
 
 /// The lower triangle of matrixᵀ · matrix, for little more than half of the product; what is above it means nothing.
@@ -139,18 +107,13 @@ mod tests {
 
     use super::*;
 
-    /// From −½ to ½.
-    pub(crate) fn numbers() -> impl FnMut() -> f64 {
-        let mut state = 1_u64;
-        move || {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
-        }
-    }
-
     /// Entries from −½ to ½.
     pub(crate) fn random_symmetric(size: usize) -> Mat<f64> {
-        let mut next = numbers();
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
         symmetric_part(Mat::from_fn(size, size, |_, _| next()).as_ref())
     }
 

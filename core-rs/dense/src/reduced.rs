@@ -1,37 +1,49 @@
 //! A symmetric matrix in tridiagonal form: from there its eigenvalues cost n², its eigenvectors n³.
 
-use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
-use faer::prelude::{Reborrow, ReborrowMut};
-use faer::{Mat, MatMut, MatRef, Par, Scale};
+use faer::diag::Diag;
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::evd::tridiag::tridiag_in_place;
+use faer::linalg::evd::{ComputeEigenvectors, self_adjoint_evd_scratch, tridiagonal_self_adjoint_evd};
+use faer::linalg::householder::apply_block_householder_sequence_on_the_left_in_place_with_conj as reflect;
+use faer::linalg::qr::no_pivoting::factor::recommended_block_size;
+use faer::prelude::default;
+use faer::{Conj, Mat, MatRef, Par, Scale};
 
-use super::reduction::{Tridiagonal, reduce};
-use super::tridiagonal::eigenvalues;
-use super::{SymmetricEigen, conquer, largest, product, subtract_product};
-
-/// So many reflections are applied in one go.
-const BLOCK: usize = 32;
+use super::{SymmetricEigen, largest};
 
 /// Where half of the work toward eigenvectors is done and the eigenvalues are at hand.
 #[derive(Clone, Debug)]
 pub struct Reduced {
     /// The matrix over this has entries near 1.
     unit: f64,
-    diagonal: Vec<f64>,
-    /// Each with the one below it; the last 0.
-    beside: Vec<f64>,
-    /// Below the diagonal: the vectors of the reflections that reduced the matrix.
+    diagonal: Diag<f64>,
+    /// One entry shorter, with a zero at the end.
+    beside: Diag<f64>,
+    /// Below the diagonal: the reflections that reduced the matrix.
     reflections: Mat<f64>,
+    factors: Mat<f64>,
 }
 
 impl Reduced {
     /// Reduces a symmetric matrix, of which only the lower triangle is read.
     pub fn of(matrix: MatRef<'_, f64>) -> Self {
-        // Squares of entries stay far from the ends of the range, and entries can be compared with those of unit vectors. A power of
-        // two changes no digit itself.
+        let size = matrix.nrows();
+        // faer's divide and conquer compares entries of the matrix with those of unit vectors, so a matrix far from 1 loses digits
+        // (all of them below 1e-16). A power of two changes no digit itself.
         let unit = power_of_two_near(largest(matrix));
         let mut reflections = matrix * Scale(unit.recip());
-        let Tridiagonal { diagonal, beside } = reduce(reflections.as_mut());
-        Self { unit, diagonal, beside, reflections }
+        let mut factors = Mat::zeros(recommended_block_size::<f64>(size, size), size.saturating_sub(1));
+        // Fewer than two rows are reduced as they are.
+        if size > 1 {
+            with_memory(size, |memory| tridiag_in_place(reflections.as_mut(), factors.as_mut(), Par::Seq, memory, default()));
+        }
+        let mut diagonal = Diag::zeros(size);
+        let mut beside = Diag::zeros(size);
+        for k in 0..size {
+            diagonal[k] = reflections[(k, k)];
+            beside[k] = if k + 1 < size { reflections[(k + 1, k)] } else { 0.0 };
+        }
+        Self { unit, diagonal, beside, reflections, factors }
     }
 
     /// How many rows.
@@ -44,7 +56,7 @@ impl Reduced {
     /// # Panics
     /// When an entry is not finite: a bug, since the document refuses such numbers.
     pub fn eigenvalues(&self) -> Vec<f64> {
-        eigenvalues(&self.diagonal, &self.beside).into_iter().map(|value| value * self.unit).collect()
+        self.solve(None)
     }
 
     /// Eigenvalues and eigenvectors, in O(n³).
@@ -54,35 +66,41 @@ impl Reduced {
     pub fn eigen(&self) -> SymmetricEigen {
         let size = self.size();
         let mut vectors = Mat::zeros(size, size);
-        if size == 0 {
-            return SymmetricEigen { values: Vec::new(), vectors };
+        let values = self.solve(Some(&mut vectors));
+        if size > 1 {
+            let reflections = self.reflections.submatrix(1, 0, size - 1, size - 1);
+            let below = vectors.as_mut().subrows_mut(1, size - 1);
+            with_memory(size, |memory| reflect(reflections, self.factors.as_ref(), Conj::No, below, Par::Seq, memory));
         }
-        let values = conquer::eigen(&self.diagonal, &self.beside, vectors.as_mut());
-        self.reflect(vectors.as_mut());
-        SymmetricEigen { values: values.into_iter().map(|value| value * self.unit).collect(), vectors }
+        SymmetricEigen { values, vectors }
     }
 
-    /// Takes vectors of the tridiagonal matrix to those of the matrix: block by block, (I − V T⁻¹ Vᵀ) X, where T is the upper triangle
-    /// of `VᵀV`, its diagonal halved (Puglisi 1992).
-    fn reflect(&self, vectors: MatMut<'_, f64>) {
-        let count = self.size() - 1;
-        let mut below = vectors.subrows_mut(1, count);
-        for start in (0..count).step_by(BLOCK).rev() {
-            let width = BLOCK.min(count - start);
-            let kept = self.reflections.submatrix(1 + start, start, count - start, width);
-            let own = Mat::from_fn(kept.nrows(), width, |row, column| if row < column { 0.0 } else { kept[(row, column)] });
-            let mut triangle = product(own.transpose(), own.as_ref());
-            for column in 0..width {
-                // Where there is no reflection any number but 0 will do.
-                triangle[(column, column)] = if own[(column, column)] == 0.0 { 1.0 } else { 0.5 * triangle[(column, column)] };
-            }
-            let mut inverse = Mat::identity(width, width);
-            solve_upper_triangular_in_place(triangle.as_ref(), inverse.as_mut(), Par::Seq);
-            let rest = below.rb_mut().subrows_mut(start, kept.nrows());
-            let along = product(own.transpose(), rest.rb());
-            subtract_product(rest, product(own.as_ref(), inverse.as_ref()).as_ref(), along.as_ref());
+    fn solve(&self, vectors: Option<&mut Mat<f64>>) -> Vec<f64> {
+        if self.size() == 0 {
+            return Vec::new();
         }
+        let mut values = Diag::zeros(self.size());
+        let vectors = vectors.map(Mat::as_mut);
+        with_memory(self.size(), |memory| {
+            tridiagonal_self_adjoint_evd(
+                self.diagonal.as_ref(),
+                self.beside.as_ref(),
+                values.as_mut(),
+                vectors,
+                Par::Seq,
+                memory,
+                default(),
+            )
+            .expect("a finite symmetric matrix has an eigendecomposition");
+        });
+        values.column_vector().iter().map(|value| value * self.unit).collect()
     }
+}
+
+/// Enough for any of the steps.
+fn with_memory(size: usize, work: impl FnOnce(&mut MemStack)) {
+    let mut memory = MemBuffer::new(self_adjoint_evd_scratch::<f64>(size, ComputeEigenvectors::Yes, Par::Seq, default()));
+    work(MemStack::new(&mut memory));
 }
 
 /// 1 for zero.
