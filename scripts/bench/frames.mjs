@@ -1,4 +1,5 @@
 import { dropFile, planned, press, withPage } from "./built.mjs";
+import { garbageAFrame } from "./garbage.mjs";
 import { median } from "./median.mjs";
 import { BROWSER_FLAGS } from "./rows.mjs";
 
@@ -56,11 +57,13 @@ export function playbackRows(executablePath) {
       await openShow(page, agentCount);
       const planning = await gaps(page, 4);
       await planned(page);
+      await press(page, "Loop");
       await press(page, "Play");
       const playing = await gaps(page, SECONDS);
+      const garbage = await garbageAFrame(page);
       const late = playing.filter((gap) => gap > 25).length;
       lines.push(
-        `${agentCount} agents: ${(1000 / median(playing)).toFixed(0)} frames/s playing, ${late} of ${playing.length} frames late (> 25 ms), longest gap ${Math.max(...playing).toFixed(0)} ms; longest gap while planning ${Math.max(...planning).toFixed(0)} ms`,
+        `${agentCount} agents: ${(1000 / median(playing)).toFixed(0)} frames/s playing, ${late} of ${playing.length} frames late (> 25 ms), longest gap ${Math.max(...playing).toFixed(0)} ms; longest gap while planning ${Math.max(...planning).toFixed(0)} ms; ${(garbage / 1000).toFixed(2)} kB of garbage a frame`,
       );
       await page.close();
     }
