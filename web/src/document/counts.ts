@@ -24,7 +24,15 @@ export function timeOfCount(tempo: Tempo, count: number): number {
 
 /** `5.3`: the third count of bar 5. Bar 1 begins with the first count; what comes before is bar 0, −1, … */
 export function barAndCount(tempo: Tempo, time: number): string {
-  const count = Math.floor(countsAt(tempo, time) + ON_COUNT);
+  return formatCounts(tempo, countBegun(tempo, time));
+}
+
+/** The last count that has begun, 0 the first. */
+export function countBegun(tempo: Tempo, time: number): number {
+  return Math.floor(countsAt(tempo, time) + ON_COUNT);
+}
+
+export function formatCounts(tempo: Tempo, count: number): string {
   const bar = Math.floor(count / tempo.beatsPerBar);
   return `${barNumber(bar)}.${count - bar * tempo.beatsPerBar + 1}`;
 }

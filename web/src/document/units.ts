@@ -29,8 +29,16 @@ export function metersPer(units: Units): number {
 
 /** `0:05.3`, cut rather than rounded: a clock never runs ahead. */
 export function formatTime(seconds: number): string {
+  return formatTenths(tenthsAt(seconds));
+}
+
+/** Tenths of a second that a clock shows. */
+export function tenthsAt(seconds: number): number {
   // 4.35 s × 10 is 43.499…: a keyframe set to 4.4 must not read 4.3.
-  const tenths = Math.floor(Math.max(0, seconds) * 10 + 1e-6);
+  return Math.floor(Math.max(0, seconds) * 10 + 1e-6);
+}
+
+export function formatTenths(tenths: number): string {
   const whole = Math.floor(tenths / 10);
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}.${tenths % 10}`;
 }

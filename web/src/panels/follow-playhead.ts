@@ -1,7 +1,7 @@
 import { effect } from "@preact/signals";
 import { mainTrack } from "../document/scene";
 import type { DocumentStore } from "../document/store";
-import { momentAt } from "../document/timing";
+import { standingAt } from "../document/timing";
 import type { Playback } from "../playback/playback";
 
 /**
@@ -12,19 +12,20 @@ export function followPlayhead(document: DocumentStore, playback: Playback): () 
   let isStanding = true;
   let lastActive = document.activeKeyframe.peek();
 
-  const stopFollowing = effect(() => {
-    const moment = momentAt(document.scene.peek(), playback.time.value);
-    isStanding = moment.kind === "standing";
-    if (moment.kind === "standing") document.activeKeyframe.value = moment.keyframe;
-  });
+  function take(time: number): void {
+    const keyframe = standingAt(document.scene.value, time);
+    isStanding = keyframe !== null;
+    if (keyframe !== null) document.activeKeyframe.value = keyframe;
+  }
+  take(playback.time.peek());
+  const stopFollowing = playback.follow(take);
 
   // A keyframe that is picked, or that moves in time with the playhead on it, takes the playhead along.
   const stopLeading = effect(() => {
     const active = document.activeKeyframe.value;
     const scene = document.scene.value;
     const keyframe = mainTrack(scene).keyframes[active];
-    const moment = momentAt(scene, playback.time.peek());
-    const isThere = moment.kind === "standing" && moment.keyframe === active;
+    const isThere = standingAt(scene, playback.time.peek()) === active;
     const wasPicked = active !== lastActive;
     lastActive = active;
     if (keyframe && !isThere && (wasPicked || isStanding) && !playback.isPlaying.peek()) playback.seek(keyframe.time);

@@ -1,4 +1,4 @@
-import { signal } from "@preact/signals";
+import { effect, signal } from "@preact/signals";
 import { describe, expect, it } from "vitest";
 import { createPlayback } from "./playback";
 
@@ -61,6 +61,22 @@ describe("playback", () => {
     expect(playback.time.value).toBe(4);
     playback.seek(-1);
     expect(playback.time.value).toBe(0);
+  });
+
+  it("followers hear of every change of the time until they stop, and of whatever else they read of none", () => {
+    const playback = createPlayback(signal(10));
+    const other = signal(0);
+    const heard: number[] = [];
+    const stop = playback.follow((time) => heard.push(time + other.value));
+    const seeking = signal(4);
+    effect(() => playback.seek(seeking.value));
+    playback.play();
+    playback.tick(1);
+    other.value = 100;
+    expect(heard).toEqual([4, 4, 5]);
+    stop();
+    playback.seek(9);
+    expect(heard).toEqual([4, 4, 5]);
   });
 
   it("a show of one moment does not play", () => {

@@ -6,8 +6,8 @@ const SHOW = { from: 0, to: 10 };
 
 describe("playhead", () => {
   it("stops exactly at the end", () => {
-    expect(advance(9.9, 0.2, SHOW, false)).toEqual({ time: 10, isPlaying: false });
-    expect(advance(9, 0.5, SHOW, false)).toEqual({ time: 9.5, isPlaying: true });
+    expect(advance(9.9, 0.2, SHOW, false)).toBe(10);
+    expect(advance(9, 0.5, SHOW, false)).toBe(9.5);
   });
 
   it("a loop comes round without losing time, however long the frame was", () => {
@@ -17,10 +17,9 @@ describe("playhead", () => {
         fc.double({ min: 0, max: 1000, noNaN: true }),
         (time, elapsed) => {
           const after = advance(time, elapsed, { from: 2, to: 6 }, true);
-          expect(after.isPlaying).toBe(true);
-          expect(after.time).toBeGreaterThanOrEqual(2);
-          expect(after.time).toBeLessThan(6);
-          const rounds = (time + elapsed - after.time) / 4;
+          expect(after).toBeGreaterThanOrEqual(2);
+          expect(after).toBeLessThan(6);
+          const rounds = (time + elapsed - after) / 4;
           // Rounding of the remainder, relative to the thousand seconds that went by.
           expect(Math.abs(rounds - Math.round(rounds))).toBeLessThan(1e-9);
         },
@@ -28,12 +27,12 @@ describe("playhead", () => {
     );
   });
 
-  it("a show without length does not play", () => {
-    expect(advance(0, 0.1, { from: 0, to: 0 }, true)).toEqual({ time: 0, isPlaying: false });
+  it("a loop without length goes nowhere", () => {
+    expect(advance(0, 0.1, { from: 0, to: 0 }, true)).toBe(0);
   });
 
   it("a clock that runs backward does not", () => {
-    expect(advance(3, -1, SHOW, false).time).toBe(3);
+    expect(advance(3, -1, SHOW, false)).toBe(3);
   });
 
   it("play at the end starts over", () => {

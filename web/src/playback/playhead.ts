@@ -4,12 +4,6 @@ export interface Span {
   readonly to: number;
 }
 
-/** Where the playhead came to, and whether it goes on. */
-export interface Advance {
-  readonly time: number;
-  readonly isPlaying: boolean;
-}
-
 /** Where playing begins: the end starts over, and a loop is entered at its start from anywhere behind it. */
 export function startFrom(time: number, span: Span, isLooping: boolean): number {
   if (span.to <= span.from) return span.from;
@@ -18,13 +12,12 @@ export function startFrom(time: number, span: Span, isLooping: boolean): number 
   return isPast || isBefore ? span.from : Math.max(time, 0);
 }
 
-/** Moves the playhead by `elapsed` scene seconds: a loop comes round, however often; without one it stops at the end. */
-export function advance(time: number, elapsed: number, span: Span, isLooping: boolean): Advance {
+/** Where `elapsed` scene seconds take the playhead: a loop comes round, however often; without one it stops at the end of `span`. */
+export function advance(time: number, elapsed: number, span: Span, isLooping: boolean): number {
   const next = time + Math.max(elapsed, 0);
-  if (next < span.to) return { time: next, isPlaying: true };
+  if (next < span.to) return next;
   const length = span.to - span.from;
-  if (!isLooping || length <= 0) return { time: span.to, isPlaying: false };
-  return { time: span.from + ((next - span.from) % length), isPlaying: true };
+  return isLooping && length > 0 ? span.from + ((next - span.from) % length) : span.to;
 }
 
 /** The part of `range` that the show has; the whole show when there is no range or nothing of it is left. */

@@ -13,17 +13,19 @@ export interface Pace {
 
 /** Spares from the moment that frames take longer than `slow` seconds until playing rests. */
 export function createPace(slow = SLOW): Pace {
-  let average = 0;
+  // A number that a closure keeps is a new object whenever it changes.
+  const average = new Float64Array(1);
   let isSparing = false;
   return {
     note(elapsed) {
       if (elapsed === 0) {
-        average = 0;
+        average[0] = 0;
         isSparing = false;
         return;
       }
-      average += (elapsed - average) * WEIGHT;
-      if (average > slow) isSparing = true;
+      const before = average[0] ?? 0;
+      average[0] = before + (elapsed - before) * WEIGHT;
+      if (average[0] > slow) isSparing = true;
     },
     get isSparing() {
       return isSparing;

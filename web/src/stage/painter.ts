@@ -33,7 +33,11 @@ export interface Look {
 }
 
 export interface Painter {
-  /** Draws what is needed, and the backdrop when the onion skin on it is another's. */
+  /**
+   * Draws what is needed, and the backdrop when the onion skin on it is another's.
+   *
+   * Called outside of effects, it reads signals by value: a peek makes a closure, and there are dozens in a frame.
+   */
   paint(look: Look, needs: Readonly<Needs>, isSparing: boolean): void;
 }
 
@@ -69,12 +73,12 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
   const paintMoving = createMotionPainter(frame, moving, canvases.scratch);
 
   function update(): void {
-    moving.scene = scene.peek();
-    moving.track = subject.track.peek();
-    moving.show = subject.show.peek();
-    moving.time = playback.time.peek();
+    moving.scene = scene.value;
+    moving.track = subject.track.value;
+    moving.show = subject.show.value;
+    moving.time = playback.time.value;
     const { track, show, time } = moving;
-    frame.look(view.camera.peek(), view.size.peek(), canvases.density, spacingAt(track, time));
+    frame.look(view.camera.value, view.size.value, canvases.density, spacingAt(track, time));
     frame.resize(track.agents.length, show.isSpatial);
     show.positionsInto(time, frame.places);
     if (frame.heights) show.heightsInto(time, frame.heights);
@@ -85,40 +89,40 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
   function updateMoving(): void {
     const { track, show, time } = moving;
     const index = show.keyframeBefore(time);
-    moving.lastMotions = subject.lastMotions.peek();
-    moving.scenery = sceneryFor(track, frame.cast, subject.ties.peek(), index, show.segmentAt(time) !== null);
-    moving.layers = view.layers.peek();
-    const tool = toolbox.active.peek();
-    moving.outlined = outlinedGroup(moving.scene, selection.peek(), view.hovered.peek(), tool === "group");
-    moving.isMarked = subject.isMarked.peek();
+    moving.lastMotions = subject.lastMotions.value;
+    moving.scenery = sceneryFor(track, frame.cast, subject.ties.value, index, show.segmentAt(time) !== null);
+    moving.layers = view.layers.value;
+    const tool = toolbox.active.value;
+    moving.outlined = outlinedGroup(moving.scene, selection.value, view.hovered.value, tool === "group");
+    moving.isMarked = subject.isMarked.value;
     moving.isTying = tool === "tie";
     // From the front heights are seen.
-    moving.areHeightsShown = view.projection.peek() !== "front";
+    moving.areHeightsShown = view.projection.value !== "front";
   }
 
   function updateHandles(): void {
-    handles.selection = selection.peek();
-    handles.selected = subject.selected.peek();
-    handles.hovered = view.hovered.peek();
-    handles.overlay = toolbox.overlay.peek();
-    handles.areNamesShown = view.layers.peek().names;
+    handles.selection = selection.value;
+    handles.selected = subject.selected.value;
+    handles.hovered = view.hovered.value;
+    handles.overlay = toolbox.overlay.value;
+    handles.areNamesShown = view.layers.value.names;
     const { kind } = handles.selection;
-    const isSelecting = toolbox.active.peek() === "select" && (kind === "agents" || kind === "group");
-    handles.hasBox = isSelecting && !playback.isPlaying.peek() && handles.overlay.kind !== "marquee";
-    handles.lifts = liftsOf(view.projection.peek(), moving.show.isSpatial);
-    handles.ties = subject.ties.peek()[moving.show.keyframeBefore(moving.time)] ?? null;
+    const isSelecting = toolbox.active.value === "select" && (kind === "agents" || kind === "group");
+    handles.hasBox = isSelecting && !playback.isPlaying.value && handles.overlay.kind !== "marquee";
+    handles.lifts = liftsOf(view.projection.value, moving.show.isSpatial);
+    handles.ties = subject.ties.value[moving.show.keyframeBefore(moving.time)] ?? null;
   }
 
   function paintBackdrop(): void {
     const { spacing, radius } = frame;
     const context = canvases.backdrop;
     drawBackdrop(context, frame, moving.scene.stage);
-    const chosen = selection.peek();
+    const chosen = selection.value;
     const { obstacles } = moving.scene;
     if (obstacles.length > 0) {
       inTheWay()?.drawObstacles(context, frame, obstacles, chosen.kind === "obstacle" ? chosen.index : null);
     }
-    if (view.layers.peek().ghosts) {
+    if (view.layers.value.ghosts) {
       frame.look(frame.camera, frame.size, frame.density, transitionSpacing(moving.track, onion.segment));
       if (onion.from) drawGhosts(context, frame, onion.from.xy);
       if (onion.to) drawTargets(context, frame, onion.to.xy);

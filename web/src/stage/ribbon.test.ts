@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { outlineInto, stepAlpha, trailAlphaAt, trailLook } from "./ribbon";
+import { outlineInto, trailAlphaAt, trailLook } from "./ribbon";
 
 const HEAD = 0.62;
 
@@ -21,7 +21,7 @@ describe("trail", () => {
     expect(layered.isLayered).toBe(true);
     let seen = 0;
     for (let step = 0; step < layered.steps; step += 1) {
-      seen = 1 - (1 - seen) * (1 - stepAlpha(layered, step));
+      seen = 1 - (1 - seen) * (1 - (layered.alphas[step] ?? 0));
       expect(seen).toBeCloseTo(trailAlphaAt((step + 0.5) / layered.steps, layered.headAlpha), 12);
     }
   });

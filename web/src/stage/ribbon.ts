@@ -9,6 +9,8 @@ export interface TrailLook {
   readonly headAlpha: number;
   /** Steps of alpha along it. */
   readonly steps: number;
+  /** What each step is filled with; layered steps add up to the alpha at their middle. */
+  readonly alphas: Float64Array;
   /** Pieces of a step, so that it bends. */
   readonly bends: number;
   /** Wide ribbons lay each step over all that follows, which leaves no seam; narrow ones lay the steps end to end. */
@@ -28,12 +30,14 @@ export function trailLook(spacing: number, radius: number, trailAlpha: number, a
   const ease = fade(spacing, 36, 44);
   const isLayered = radius > 6 && agentCount <= FEW;
   const steps = isLayered ? 18 : 6;
+  const headAlpha = trailAlpha * (0.62 + 0.38 * room) * (1 - 0.15 * ease);
   return {
     reach: 0.5 + 0.5 * room,
     tailWidth: Math.max(0.35, 0.14 * radius),
     headWidth: Math.max(0.9, (0.95 - 0.15 * ease) * radius),
-    headAlpha: trailAlpha * (0.62 + 0.38 * room) * (1 - 0.15 * ease),
+    headAlpha,
     steps,
+    alphas: Float64Array.from({ length: steps }, (_, step) => stepAlpha(step, steps, headAlpha, isLayered)),
     bends: isLayered || radius <= 4.5 ? 2 : 3,
     isLayered,
   };
@@ -46,11 +50,10 @@ export function trailAlphaAt(t: number, headAlpha: number): number {
   return knee + (headAlpha - knee) * ((clamp(t, 0, 1) - KNEE.at) / (1 - KNEE.at));
 }
 
-/** The alpha to fill step `step` with; layered steps add up to the alpha at their middle. */
-export function stepAlpha(look: TrailLook, step: number): number {
-  const here = trailAlphaAt((step + 0.5) / look.steps, look.headAlpha);
-  if (!look.isLayered || step === 0) return here;
-  const below = trailAlphaAt((step - 0.5) / look.steps, look.headAlpha);
+function stepAlpha(step: number, steps: number, headAlpha: number, isLayered: boolean): number {
+  const here = trailAlphaAt((step + 0.5) / steps, headAlpha);
+  if (!isLayered || step === 0) return here;
+  const below = trailAlphaAt((step - 0.5) / steps, headAlpha);
   return 1 - (1 - here) / (1 - below);
 }
 

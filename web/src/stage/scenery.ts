@@ -14,11 +14,20 @@ export interface Scenery {
   readonly hulls: readonly HullShape[];
 }
 
+/** What scenery was made of. */
+interface Ingredients {
+  readonly from: Formation | null;
+  readonly to: Formation | null;
+  readonly here: TieList | null;
+  readonly there: TieList | null;
+  readonly cast: Cast;
+}
+
 /** Only where there is much room does a hull not cover the inside of a triangle; then there are not many agents. */
 const FEW_TO_FILL = 60;
 const NO_TRIANGLES = new Uint32Array(0);
 
-/** Scenery of a segment, or of a keyframe where the agents stand; kept until what it is made of changes. */
+/** Scenery of a segment, or of a keyframe where the agents stand; each is kept until what it is made of changes. */
 export function createSceneryKeeper(): (
   track: Track,
   cast: Cast,
@@ -26,23 +35,25 @@ export function createSceneryKeeper(): (
   index: number,
   isMoving: boolean,
 ) => Scenery {
-  let key: readonly unknown[] = [];
-  let kept: Scenery = { ties: [], hulls: [] };
+  const standing: (Scenery & Ingredients)[] = [];
+  const moving: (Scenery & Ingredients)[] = [];
   return (track, cast, ties, index, isMoving) => {
     const from = track.keyframes[index]?.positions ?? null;
     const to = isMoving ? (track.keyframes[index + 1]?.positions ?? null) : null;
-    const nextKey = [from, to, ties[index], isMoving ? ties[index + 1] : null, cast];
-    if (nextKey.every((part, k) => part === key[k]) && key.length > 0) return kept;
-    key = nextKey;
+    const here = ties[index] ?? null;
+    const there = isMoving ? (ties[index + 1] ?? null) : null;
+    const all = isMoving ? moving : standing;
+    const kept = all[index];
+    const isSameWay = kept?.from === from && kept.to === to;
+    if (isSameWay && kept.here === here && kept.there === there && kept.cast === cast) return kept;
     const bundles = from ? bundle(track, ties, index, from, to) : [];
-    kept = {
-      ties: bundles,
-      hulls: cast.groups.map(({ color, agents }) => {
-        const pairs = pairsWithin(bundles, agents);
-        return { color, agents, pairs, triangles: agents.length <= FEW_TO_FILL ? trianglesOf(pairs) : NO_TRIANGLES };
-      }),
-    };
-    return kept;
+    const hulls = cast.groups.map(({ color, agents }) => {
+      const pairs = pairsWithin(bundles, agents);
+      return { color, agents, pairs, triangles: agents.length <= FEW_TO_FILL ? trianglesOf(pairs) : NO_TRIANGLES };
+    });
+    const made = { from, to, here, there, cast, ties: bundles, hulls };
+    all[index] = made;
+    return made;
   };
 }
 

@@ -1,5 +1,5 @@
 import "./stage.css";
-import { computed, effect } from "@preact/signals";
+import { computed, effect, untracked } from "@preact/signals";
 import { createCanvases } from "./canvases";
 import { castOf } from "./cast";
 import { onDensityChange } from "./density";
@@ -45,26 +45,28 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   const needs: Needs = { backdrop: true, motion: true, handles: true };
   const pace = createPace();
   let painter: Painter | null = null;
+  /** What nobody sees is not drawn; the view that covers it plays the show meanwhile. */
+  let isCovered = false;
 
   const loop = createLoop((elapsed) => {
-    // What nobody sees is not drawn; the view that covers it plays the show meanwhile.
-    if (view.lens.peek()) return false;
+    if (isCovered) return false;
     pace.note(elapsed);
-    if (playback.isPlaying.peek()) playback.tick(elapsed);
+    playback.tick(elapsed);
     draw();
-    return playback.isPlaying.peek();
+    return playback.isPlaying.value;
   }, globalThis);
 
   function need(...parts: (keyof Needs)[]): void {
     for (const part of parts) needs[part] = true;
-    if (!view.lens.peek()) loop.invalidate();
+    if (!isCovered) loop.invalidate();
   }
 
+  /** Outside of effects. */
   function draw(): void {
-    const current = look.peek();
-    if (!current || view.size.peek().width === 0) return;
+    const current = look.value;
+    if (!current || view.size.value.width === 0) return;
     painter ??= createPainter(inputs, subject, canvases, current);
-    painter.paint(current, needs, pace.isSparing && playback.isPlaying.peek());
+    painter.paint(current, needs, pace.isSparing && playback.isPlaying.value);
     needs.backdrop = false;
     needs.motion = false;
     needs.handles = false;
@@ -80,7 +82,7 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
     needs.backdrop = true;
     needs.motion = true;
     needs.handles = true;
-    draw();
+    untracked(draw);
   }
 
   const observer = new ResizeObserver(measure);
@@ -88,8 +90,13 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
   const stopDensity = onDensityChange(measure);
 
   const stops = [
+    playback.follow(() => {
+      needs.motion = true;
+      if (!isCovered) loop.invalidate();
+    }),
     effect(() => {
-      void [view.lens.value, view.camera.value, look.value, view.layers.value, scene.value.stage];
+      isCovered = view.lens.value !== null;
+      void [view.camera.value, look.value, view.layers.value, scene.value.stage];
       void [obstacles.value, chosen.value];
       need("backdrop", "motion", "handles");
     }),
@@ -98,7 +105,7 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
       need("backdrop", "motion", "handles");
     }),
     effect(() => {
-      void [playback.time.value, show.value, subject.ties.value, scene.value, toolbox.active.value];
+      void [show.value, subject.ties.value, scene.value, toolbox.active.value];
       need("motion");
     }),
     effect(() => {

@@ -4,7 +4,8 @@ import { useLayoutEffect, useRef } from "preact/hooks";
 import { memberships, moveToGroup } from "../../document/commands/membership";
 import { selectedAgents } from "../../document/queries";
 import type { Command } from "../../document/store";
-import { momentAt } from "../../document/timing";
+import { standingAt } from "../../document/timing";
+import { useAtPlayhead } from "../at-playhead";
 import { useStudio } from "../studio";
 import type { Editing } from "./agent-row";
 import type { EditEnd } from "./cell-editor";
@@ -59,10 +60,8 @@ export function useTable(): TableAtWork {
   const rows = useComputed(() => tableRows(document.scene.value));
   const active = useComputed(() => ({ ...wanted.value, row: Math.min(wanted.value.row, rows.value.length - 1) }));
   const offsets = useComputed(() => rowOffsets(rows.value, matchMedia("(pointer: coarse)").matches ? COARSE : FINE));
-  const keyframe = useComputed(() => {
-    const moment = momentAt(document.scene.value, playback.time.value);
-    return moment.kind === "standing" && !playback.isPlaying.value ? moment.keyframe : null;
-  });
+  const standing = useAtPlayhead((time) => standingAt(document.scene.value, time));
+  const keyframe = useComputed(() => (playback.isPlaying.value ? null : standing.value));
   const isOwnPick = useRef(false);
   const selection = document.selection.value;
   const selectedNow = () => selectedAgents(document.scene.peek(), document.selection.peek());

@@ -1,5 +1,4 @@
-import { useComputed } from "@preact/signals";
-import { useStudio } from "../studio";
+import { PlotNow } from "../plot-now";
 import { areaPath, belowPath, curvePath, type PlotFrame, plotY } from "./plot-path";
 
 const WIDTH = 110;
@@ -13,10 +12,7 @@ const MARGIN = 3;
  * @param props.least the upper edge stands for this at least, so that round-off is not drawn as mountains
  */
 export function Plot(props: { values: Float32Array; from: number; to: number; limit?: number; least?: number }) {
-  const { playback } = useStudio();
   const { values, from, to, limit } = props;
-  const x = useComputed(() => (WIDTH * (playback.time.value - from)) / Math.max(1e-9, to - from));
-  const isNow = useComputed(() => (playback.time.value >= from && playback.time.value <= to ? "visible" : "hidden"));
   const top = Math.max(maximum(values), limit === undefined ? 0 : limit * 1.5, props.least ?? 0, 1e-9);
   const frame: PlotFrame = { width: WIDTH, height: HEIGHT - 2 * MARGIN, low: 0, high: top };
   const isBroken = limit !== undefined && values.some((value) => value < limit);
@@ -30,7 +26,7 @@ export function Plot(props: { values: Float32Array; from: number; to: number; li
         <path class="plot-line" d={curvePath(values, frame)} />
         {isBroken && <path class="plot-broken" d={belowPath(values, frame, limit)} />}
       </g>
-      <line class="plot-now" x1={x} x2={x} y1="0" y2={HEIGHT} visibility={isNow} />
+      <PlotNow from={from} to={to} width={WIDTH} height={HEIGHT} />
     </svg>
   );
 }

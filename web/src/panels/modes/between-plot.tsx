@@ -1,5 +1,5 @@
-import { useComputed } from "@preact/signals";
 import { mainTrack } from "../../document/scene";
+import { PlotNow } from "../plot-now";
 import { useStudio } from "../studio";
 
 const WIDTH = 272;
@@ -7,17 +7,15 @@ const HEIGHT = 132;
 
 /** Every eigenvalue as a line over the transition's time, with the playhead. */
 export function BetweenPlot(props: { eigenvalues: Float64Array; agentCount: number; segment: number }) {
-  const { document, playback } = useStudio();
+  const { document } = useStudio();
   const { eigenvalues, agentCount, segment } = props;
   const keyframes = mainTrack(document.scene.value).keyframes;
   const from = (keyframes[segment]?.time ?? 0) + (keyframes[segment]?.hold ?? 0);
   const to = keyframes[segment + 1]?.time ?? from;
-  const x = useComputed(() => (WIDTH * (playback.time.value - from)) / Math.max(1e-9, to - from));
-  const isNow = useComputed(() => (playback.time.value >= from && playback.time.value <= to ? "visible" : "hidden"));
   return (
     <svg class="between" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} aria-hidden="true">
       <path d={linesOf(eigenvalues, agentCount)} />
-      <line class="plot-now" x1={x} x2={x} y1="0" y2={HEIGHT} visibility={isNow} />
+      <PlotNow from={from} to={to} width={WIDTH} height={HEIGHT} />
     </svg>
   );
 }

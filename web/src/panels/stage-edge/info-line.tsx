@@ -1,8 +1,8 @@
-import { useComputed } from "@preact/signals";
 import { groupPaths } from "../../document/groups";
 import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
 import { screenSpacing, spacingAt } from "../../stage/spacing";
+import { useAtPlayhead } from "../at-playhead";
 import { useStudio } from "../studio";
 
 /** Below this spacing on the screen ties would be a gray wash, and the stage leaves them out. Pixels. */
@@ -10,10 +10,10 @@ const TIES_FROM = 7;
 
 /** What the marks mean and how many there are. */
 export function InfoLine() {
-  const { document, playback, view } = useStudio();
-  const tiesFrom = useComputed(() => {
+  const { document, view } = useStudio();
+  const tiesFrom = useAtPlayhead((time) => {
     if (!view.layers.value.ties) return null;
-    const spacing = spacingAt(mainTrack(document.scene.value), playback.time.value);
+    const spacing = spacingAt(mainTrack(document.scene.value), time);
     const pixels = screenSpacing(spacing, view.camera.value.scale);
     return pixels < TIES_FROM ? Math.ceil((view.zoom.value * TIES_FROM * 10) / pixels) * 10 : null;
   });

@@ -1,8 +1,8 @@
-import { useComputed } from "@preact/signals";
 import { type Placement, placementAt } from "../../document/placement";
 import { keyframeLabel } from "../../document/queries";
 import { momentAt } from "../../document/timing";
 import { formatCount } from "../../document/units";
+import { useAtPlayhead } from "../at-playhead";
 import { useStudio } from "../studio";
 
 /** What Draw and Shape will do where the playhead is, and what to know of it beforehand. */
@@ -14,10 +14,10 @@ export interface PlacementAhead {
 
 /** As the tools will do it: while agents move, at the nearest keyframe. */
 export function usePlacement(): PlacementAhead {
-  const { document, playback } = useStudio();
+  const { document } = useStudio();
   // As one number: a playhead that runs within a transition changes nothing here.
-  const nearest = useComputed(() => {
-    const moment = momentAt(document.scene.value, playback.time.value);
+  const nearest = useAtPlayhead((time) => {
+    const moment = momentAt(document.scene.value, time);
     return moment.kind === "moving" ? moment.nearest : -1;
   });
   const scene = document.scene.value;

@@ -1,7 +1,7 @@
-import { useComputed, useSignalEffect } from "@preact/signals";
 import { useRef } from "preact/hooks";
-import { barAndCount } from "../../document/counts";
-import { formatTime } from "../../document/units";
+import { countBegun, formatCounts } from "../../document/counts";
+import { formatTenths, tenthsAt } from "../../document/units";
+import { useShownAtPlayhead } from "../at-playhead";
 import { useStudio } from "../studio";
 import { shortTime } from "./clock";
 
@@ -11,15 +11,15 @@ export function Clock() {
   const now = useRef<HTMLSpanElement>(null);
   const bar = useRef<HTMLSpanElement>(null);
   const hasCounts = view.ruler.value === "counts";
-  const text = useComputed(() => formatTime(playback.time.value));
-  const count = useComputed(() => barAndCount(document.scene.value.tempo, playback.time.value));
-  useSignalEffect(() => {
-    if (now.current) now.current.textContent = text.value;
+  useShownAtPlayhead(tenthsAt, (tenths) => {
+    if (now.current) now.current.textContent = formatTenths(tenths);
   });
-  useSignalEffect(() => {
-    const isRead = view.ruler.value === "counts";
-    if (bar.current) bar.current.textContent = isRead ? count.value : "";
-  });
+  useShownAtPlayhead(
+    (time) => (view.ruler.value === "counts" ? countBegun(document.scene.value.tempo, time) : null),
+    (count) => {
+      if (bar.current) bar.current.textContent = count === null ? "" : formatCounts(document.scene.value.tempo, count);
+    },
+  );
   return (
     <span class="clock number">
       <span ref={bar} class="clock-count" title="Bar and count" hidden={!hasCounts} />

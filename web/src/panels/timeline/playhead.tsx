@@ -1,7 +1,7 @@
-import { useComputed, useSignalEffect } from "@preact/signals";
-import { useRef } from "preact/hooks";
-import { barAndCount } from "../../document/counts";
-import { formatTime } from "../../document/units";
+import { useLayoutEffect, useRef } from "preact/hooks";
+import { countBegun, formatCounts } from "../../document/counts";
+import { formatTenths, tenthsAt } from "../../document/units";
+import { useShownAtPlayhead } from "../at-playhead";
 import { useStudio } from "../studio";
 import { shortTime } from "./clock";
 import { xOf } from "./scale";
@@ -10,22 +10,39 @@ import type { Viewport } from "./viewport";
 const FINE_STEP = 0.1;
 const COARSE_STEP = 1;
 
-/** The line at the present and its pill, moved without rendering while the show runs. */
+/** No track is longer, CSS pixels. */
+const FARTHEST = 1e7;
+
+/**
+ * The line at the present and its pill, moved without rendering while the show runs.
+ *
+ * A millisecond of its standing animation is a pixel of the track: a frame sets a number, where a style would be a new text.
+ */
 export function Playhead({ viewport }: { viewport: Viewport }) {
-  const { document, playback, view } = useStudio();
+  const { document, view } = useStudio();
   const head = useRef<HTMLDivElement>(null);
   const pill = useRef<HTMLSpanElement>(null);
-  const text = useComputed(() => {
-    const time = playback.time.value;
-    return view.ruler.value === "counts" ? barAndCount(document.scene.value.tempo, time) : formatTime(time);
-  });
-  useSignalEffect(() => {
-    const x = xOf(viewport.scale.value, playback.time.value);
-    if (head.current) head.current.style.transform = `translateX(${x}px)`;
-  });
-  useSignalEffect(() => {
-    if (pill.current) pill.current.textContent = text.value;
-  });
+  const way = useRef<Animation | null>(null);
+  useLayoutEffect(() => {
+    const animation = head.current?.animate({ transform: ["none", `translateX(${FARTHEST}px)`] }, FARTHEST);
+    animation?.pause();
+    way.current = animation ?? null;
+    return () => animation?.cancel();
+  }, []);
+  useShownAtPlayhead(
+    (time) => xOf(viewport.scale.value, time),
+    (x) => {
+      if (way.current) way.current.currentTime = x;
+    },
+  );
+  const hasCounts = () => view.ruler.value === "counts";
+  useShownAtPlayhead(
+    (time) => (hasCounts() ? countBegun(document.scene.value.tempo, time) : tenthsAt(time)),
+    (now) => {
+      if (!pill.current) return;
+      pill.current.textContent = hasCounts() ? formatCounts(document.scene.value.tempo, now) : formatTenths(now);
+    },
+  );
   return (
     <div ref={head} class="playhead number" aria-hidden="true">
       <span ref={pill} />
@@ -37,12 +54,11 @@ export function Playhead({ viewport }: { viewport: Viewport }) {
 export function TimeSlider() {
   const { playback } = useStudio();
   const slider = useRef<HTMLInputElement>(null);
-  const text = useComputed(() => formatTime(playback.time.value));
-  useSignalEffect(() => {
+  useShownAtPlayhead(tenthsAt, (tenths) => {
     if (!slider.current) return;
     slider.current.max = String(playback.duration.value);
     slider.current.value = String(playback.time.peek());
-    slider.current.setAttribute("aria-valuetext", `${text.value} of ${shortTime(playback.duration.value)}`);
+    slider.current.setAttribute("aria-valuetext", `${formatTenths(tenths)} of ${shortTime(playback.duration.value)}`);
   });
   return (
     <input

@@ -110,10 +110,12 @@ function useTouch(viewport: Viewport): RefObject<TrackTouch> {
 function useFollow(viewport: Viewport): void {
   const { playback } = useStudio();
   const wasSeen = useRef(true);
-  useSignalEffect(() => {
-    const time = playback.time.value;
-    const isPlaying = playback.isPlaying.value;
-    if (isPlaying && wasSeen.current && !viewport.isSeen(time)) viewport.reveal(time);
-    wasSeen.current = viewport.isSeen(time);
-  });
+  useEffect(
+    () =>
+      playback.follow((time) => {
+        if (playback.isPlaying.value && wasSeen.current && !viewport.isSeen(time)) viewport.reveal(time);
+        wasSeen.current = viewport.isSeen(time);
+      }),
+    [playback, viewport],
+  );
 }

@@ -27,7 +27,7 @@ export interface Viewport {
   scrollTo(x: number): void;
   /** @param pointer CSS pixels from the window's left edge: what is there stays there */
   zoomBy(factor: number, pointer: number): void;
-  /** Whether a time is in the window now. */
+  /** Whether a time is in the window now; asked every frame, outside of effects. */
   isSeen(time: number): boolean;
   reveal(time: number): void;
   /** Track pixels of a pointer over `element`, which is anywhere in the timeline. */
@@ -79,8 +79,8 @@ export function createViewport(document: DocumentStore, playback: Playback): Vie
       position.value = scrollAfterZoom(before, scale.value, from, pointer);
     },
     isSeen(time) {
-      const x = xOf(scale.peek(), time) - scroll.peek();
-      return x >= 0 && x <= width.peek();
+      const x = xOf(scale.value, time) - scroll.value;
+      return x >= 0 && x <= width.value;
     },
     reveal(time) {
       position.value = scrollToReveal(xOf(scale.peek(), time), scroll.peek(), width.peek());

@@ -22,10 +22,13 @@ const SINES = Float64Array.from({ length: CORNERS }, (_, corner) => Math.sin((2 
 export function drawHulls(context: CanvasRenderingContext2D, frame: Frame, shapes: readonly HullShape[]): void {
   const alpha = frame.palette.hullAlpha * fade(frame.spacing, 11, 16);
   if (alpha < 0.004) return;
+  const half = hullWidth(frame) / 2;
   context.globalAlpha = alpha;
-  for (const shape of shapes) {
+  for (let k = 0; k < shapes.length; k += 1) {
+    const shape = shapes[k];
+    if (!shape) continue;
     context.fillStyle = shape.color;
-    traceHull(context, frame, shape, hullWidth(frame) / 2);
+    traceHull(context, frame, shape, half);
     context.fill();
   }
   context.globalAlpha = 1;

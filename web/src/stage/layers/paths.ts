@@ -1,9 +1,13 @@
 import type { SegmentMotion } from "../../playback/motion";
+import type { Paint } from "../cast";
 import type { Frame } from "../frame";
 import { fade } from "../spacing";
 
 /** Pieces of the path to come. */
 const PIECES = 14;
+
+const DASHES = [2.5, 2.5];
+const SOLID: readonly number[] = [];
 
 const pieces = { samples: new Int32Array(PIECES + 1), shares: new Float32Array(PIECES + 1) };
 
@@ -20,14 +24,10 @@ export function drawPathsToCome(
   if (alpha === 0 || now >= motion.end || motion.times.length < 2) return;
   locate(motion, now);
   beginDashes(context, alpha);
-  for (const { color, agents } of frame.cast.paints) {
-    context.strokeStyle = color;
-    context.beginPath();
-    for (let k = 0; k < agents.length; k += 1) {
-      const agent = agents[k] ?? 0;
-      if (!frame.isGone?.[agent]) tracePath(context, frame, motion, agent);
-    }
-    context.stroke();
+  const { paints } = frame.cast;
+  for (let k = 0; k < paints.length; k += 1) {
+    const paint = paints[k];
+    if (paint) strokePaths(context, frame, motion, paint);
   }
   endDashes(context);
 }
@@ -131,6 +131,22 @@ function moved(
   return ((from[axis] ?? 0) - (xy[first] ?? 0)) * back + ((to[axis] ?? 0) - (xy[last] ?? 0)) * (1 - back);
 }
 
+/** Those of one color. */
+function strokePaths(
+  context: CanvasRenderingContext2D,
+  frame: Frame,
+  motion: SegmentMotion,
+  { color, agents }: Paint,
+): void {
+  context.strokeStyle = color;
+  context.beginPath();
+  for (let k = 0; k < agents.length; k += 1) {
+    const agent = agents[k] ?? 0;
+    if (!frame.isGone?.[agent]) tracePath(context, frame, motion, agent);
+  }
+  context.stroke();
+}
+
 function tracePath(context: CanvasRenderingContext2D, frame: Frame, { xy }: SegmentMotion, agent: number): void {
   const { camera } = frame;
   const stride = 2 * frame.agentCount;
@@ -151,10 +167,10 @@ function beginDashes(context: CanvasRenderingContext2D, alpha: number): void {
   context.lineWidth = 1;
   // Round ends on hairlines cost four times the drawing; square ones as long look the same.
   context.lineCap = "butt";
-  context.setLineDash([2.5, 2.5]);
+  context.setLineDash(DASHES);
 }
 
 function endDashes(context: CanvasRenderingContext2D): void {
   context.globalAlpha = 1;
-  context.setLineDash([]);
+  context.setLineDash(SOLID);
 }

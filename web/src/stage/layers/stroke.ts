@@ -1,7 +1,7 @@
 import type { Point } from "../../document/formation";
 import { UNGROUPED_COLOR } from "../../document/palette";
 import type { Frame } from "../frame";
-import { outlineInto, stepAlpha, trailLook } from "../ribbon";
+import { outlineInto, trailLook } from "../ribbon";
 import { clamp } from "../spacing";
 import { haloWidth } from "./agents";
 
@@ -33,7 +33,7 @@ export function drawStroke(
     context.fill();
   }
   for (let step = 0; step < look.steps; step += 1) {
-    context.globalAlpha = stepAlpha(look, step) * 0.6;
+    context.globalAlpha = (look.alphas[step] ?? 0) * 0.6;
     context.beginPath();
     for (let place = step * BENDS; place < places; place += 1) {
       context.lineTo(outline[4 * place] ?? 0, outline[4 * place + 1] ?? 0);

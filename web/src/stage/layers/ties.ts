@@ -33,17 +33,12 @@ export function drawTies(
   const marked = always === "all" ? null : always;
   context.lineCap = "butt";
   context.strokeStyle = frame.palette.tie;
-  for (const bundle of bundles) {
+  for (let k = 0; k < bundles.length; k += 1) {
+    const bundle = bundles[k];
+    if (!bundle) continue;
     const alpha = bundle.alpha * presence(bundle.phase, t);
-    context.lineWidth = bundle.width;
-    if (alpha * room > INVISIBLE) {
-      context.globalAlpha = alpha * room;
-      strokePairs(context, frame, bundle.pairs, null);
-    }
-    if (marked && room < 1) {
-      context.globalAlpha = alpha * (1 - room);
-      strokePairs(context, frame, bundle.pairs, marked);
-    }
+    if (alpha * room > INVISIBLE) strokeBundle(context, frame, bundle, alpha * room, null);
+    if (marked && room < 1) strokeBundle(context, frame, bundle, alpha * (1 - room), marked);
   }
   context.globalAlpha = 1;
 }
@@ -66,13 +61,16 @@ export function drawCuts(
   context.globalAlpha = 1;
 }
 
-function strokePairs(
+function strokeBundle(
   context: CanvasRenderingContext2D,
   frame: Frame,
-  pairs: Uint32Array,
+  { pairs, width }: TieBundle,
+  alpha: number,
   only: Uint8Array | null,
 ): void {
   const { points, size } = frame;
+  context.lineWidth = width;
+  context.globalAlpha = alpha;
   context.beginPath();
   for (let k = 0; k + 1 < pairs.length; k += 2) {
     const a = pairs[k] ?? 0;

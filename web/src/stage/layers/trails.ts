@@ -1,6 +1,7 @@
 import type { SegmentMotion } from "../../playback/motion";
+import type { Paint } from "../cast";
 import type { Frame } from "../frame";
-import { outlineInto, stepAlpha, type TrailLook, trailLook } from "../ribbon";
+import { outlineInto, type TrailLook, trailLook } from "../ribbon";
 
 /** A step that bends less than this, CSS pixels, is drawn straight: four corners fill far faster than a bent outline. */
 const STRAIGHT = 0.35;
@@ -22,6 +23,7 @@ export function createTrailsLayer(): DrawTrails {
   let shares = new Float32Array(0);
   /** 1 where an agent has a trail to see. */
   let isSeen = new Uint8Array(0);
+  const lookOf = createLookKeeper();
 
   function makeRoom(agentCount: number, places: number): void {
     if (outlines.length < 4 * agentCount * places) outlines = new Float32Array(4 * agentCount * places);
@@ -100,29 +102,59 @@ export function createTrailsLayer(): DrawTrails {
     context.fill();
   }
 
+  function fillTrails(
+    context: CanvasRenderingContext2D,
+    { color, agents }: Paint,
+    look: TrailLook,
+    strength: number,
+  ): void {
+    const places = look.steps * look.bends + 1;
+    context.fillStyle = color;
+    for (let step = 0; step < look.steps; step += 1) {
+      context.globalAlpha = (look.alphas[step] ?? 0) * strength;
+      const from = step * look.bends;
+      const to = look.isLayered ? places - 1 : from + look.bends;
+      for (let k = 0; k < agents.length; k += 1) {
+        const agent = agents[k] ?? 0;
+        if (isSeen[agent] === 1) fillPiece(context, 4 * agent * places, from, to);
+      }
+    }
+  }
+
   return (context, frame, motion, now, strength) => {
     const duration = motion.end - motion.start;
     if (duration <= 0 || motion.times.length < 2 || strength <= 0) return;
-    const look = trailLook(frame.spacing, frame.radius, frame.palette.trailAlpha, frame.agentCount);
+    const look = lookOf(frame);
     const from = Math.max(motion.start, now - look.reach * duration);
     if (now - from < 1e-3) return;
     const places = look.steps * look.bends + 1;
     makeRoom(frame.agentCount, places);
     locate(motion, from, Math.min(now, motion.end), places);
     outline(frame, motion, look, places);
-    for (const { color, agents } of frame.cast.paints) {
-      context.fillStyle = color;
-      for (let step = 0; step < look.steps; step += 1) {
-        context.globalAlpha = stepAlpha(look, step) * strength;
-        const from = step * look.bends;
-        const to = look.isLayered ? places - 1 : from + look.bends;
-        // By index: an iterator's answers, one an agent and step, would have to be collected.
-        for (let k = 0; k < agents.length; k += 1) {
-          const agent = agents[k] ?? 0;
-          if (isSeen[agent] === 1) fillPiece(context, 4 * agent * places, from, to);
-        }
-      }
+    // By index, here as in all that is drawn each frame: an iterator's answers would have to be collected.
+    const { paints } = frame.cast;
+    for (let k = 0; k < paints.length; k += 1) {
+      const paint = paints[k];
+      if (paint) fillTrails(context, paint, look, strength);
     }
     context.globalAlpha = 1;
+  };
+}
+
+/** Makes a look anew only where it is another. */
+function createLookKeeper(): (frame: Frame) => TrailLook {
+  let look: TrailLook | null = null;
+  let spacing = 0;
+  let trailAlpha = 0;
+  let agentCount = 0;
+  return (frame) => {
+    const isSame =
+      frame.spacing === spacing && frame.palette.trailAlpha === trailAlpha && frame.agentCount === agentCount;
+    if (look && isSame) return look;
+    spacing = frame.spacing;
+    trailAlpha = frame.palette.trailAlpha;
+    agentCount = frame.agentCount;
+    look = trailLook(spacing, frame.radius, trailAlpha, agentCount);
+    return look;
   };
 }
