@@ -1,5 +1,5 @@
 import "./perspective.css";
-import { computed, effect, type ReadonlySignal } from "@preact/signals";
+import { computed, effect, type ReadonlySignal, untracked } from "@preact/signals";
 import type { Scene } from "../../document/scene";
 import type { Selection } from "../../document/selection";
 import type { Planning, TieList } from "../../engine/api";
@@ -110,9 +110,9 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
   const pace = createPace(COARSE_FROM);
   const loop = createLoop((elapsed) => {
     pace.note(elapsed);
-    if (playback.isPlaying.peek()) playback.tick(elapsed);
+    playback.tick(elapsed);
     draw();
-    return playback.isPlaying.peek();
+    return playback.isPlaying.value;
   }, globalThis);
 
   function need(...parts: (keyof WorldNeeds)[]): void {
@@ -120,30 +120,31 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
     loop.invalidate();
   }
 
+  /** Outside of effects: signals are read by value, as a peek makes a closure. */
   function draw(): void {
-    const palette = watch.palette.peek();
-    const who = cast.peek();
-    if (!palette || !who || view.size.peek().width === 0) return;
-    const { stage: now, obstacles: around, minimumDistance } = scene.peek();
-    picture.show = show.peek();
-    picture.track = track.peek();
-    picture.time = playback.time.peek();
-    picture.isSparing = playback.isPlaying.peek() && pace.isSparing;
-    picture.kind = inputs.bodies.peek();
-    picture.sizes = sizes.peek();
-    picture.layers = view.layers.peek();
+    const palette = watch.palette.value;
+    const who = cast.value;
+    if (!palette || !who || view.size.value.width === 0) return;
+    const { stage: now, obstacles: around, minimumDistance } = scene.value;
+    picture.show = show.value;
+    picture.track = track.value;
+    picture.time = playback.time.value;
+    picture.isSparing = playback.isPlaying.value && pace.isSparing;
+    picture.kind = inputs.bodies.value;
+    picture.sizes = sizes.value;
+    picture.layers = view.layers.value;
     picture.stage = now;
     picture.units = now.units;
     picture.obstacles = around;
-    picture.chosen = chosen.peek();
+    picture.chosen = chosen.value;
     picture.minimumDistance = minimumDistance;
-    picture.isMarked = subject.isMarked.peek();
+    picture.isMarked = subject.isMarked.value;
     const index = picture.show.keyframeBefore(picture.time);
     const isMoving = picture.show.segmentAt(picture.time) !== null;
-    picture.scenery = sceneryFor(picture.track, who, subject.ties.peek(), index, isMoving);
-    picture.selected = selected.peek();
-    picture.hovered = view.hovered.peek();
-    picture.orbit = eye.orbit.peek();
+    picture.scenery = sceneryFor(picture.track, who, subject.ties.value, index, isMoving);
+    picture.selected = selected.value;
+    picture.hovered = view.hovered.value;
+    picture.orbit = eye.orbit.value;
     world.paint(palette, who, eye.sight(), needs);
     needs.ground = false;
     needs.cast = false;
@@ -172,10 +173,14 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
   function resize(): void {
     world.resize(view.size.peek());
     // In this very frame: a resized canvas is empty until it is drawn on.
-    draw();
+    untracked(draw);
   }
 
   const stops = [
+    playback.follow(() => {
+      needs.poses = true;
+      loop.invalidate();
+    }),
     effect(() => {
       void view.size.value;
       resize();
@@ -189,7 +194,7 @@ export function createPerspective(host: HTMLElement, inputs: PerspectiveInputs):
       need("cast");
     }),
     effect(() => {
-      void [playback.time.value, show.value, inputs.bodies.value, sizes.value, view.layers.value];
+      void [show.value, inputs.bodies.value, sizes.value, view.layers.value];
       void [subject.ties.value, scene.value.minimumDistance];
       need("poses");
     }),

@@ -22,7 +22,7 @@ const ROOM_AROUND = 0.1;
 /** The person's eye in the perspective view: it is flown and steered, and tells where it is. */
 export interface Eye {
   readonly orbit: ReadonlySignal<Orbit>;
-  /** As the orbit sees now. */
+  /** As the orbit sees now; outside of effects. */
   sight(): Sight;
   turn(azimuth: number, elevation: number): void;
   /** What was under `from` goes to `to`, CSS pixels. */
@@ -60,7 +60,7 @@ export function createEye(
   });
 
   function look(): Sight {
-    sight.look(orbit.peek(), size.peek());
+    sight.look(orbit.value, size.value);
     return sight;
   }
 

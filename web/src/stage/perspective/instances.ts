@@ -50,8 +50,8 @@ export class Instances {
 
   /** After places and directions were filled, and the limbs of who walks. */
   moved(isWalking: boolean): void {
-    for (const attribute of this.moving) attribute.needsUpdate = true;
-    if (isWalking) for (const attribute of this.walking) attribute.needsUpdate = true;
+    renew(this.moving);
+    if (isWalking) renew(this.walking);
   }
 
   paint(colors: readonly string[]): void {
@@ -68,6 +68,14 @@ export class Instances {
     this.chosen.fill(0);
     for (const agent of agents) if (agent < this.count) this.chosen[agent] = 1;
     this.choices.needsUpdate = true;
+  }
+}
+
+/** By index: it is done every frame. */
+function renew(attributes: readonly InstancedBufferAttribute[]): void {
+  for (let k = 0; k < attributes.length; k += 1) {
+    const attribute = attributes[k];
+    if (attribute) attribute.needsUpdate = true;
   }
 }
 

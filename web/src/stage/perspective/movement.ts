@@ -67,7 +67,7 @@ export class Movement {
     const earlier = Math.max(time - WINDOW, 0);
     const later = Math.min(time + WINDOW, show.duration);
     show.positionsInto(time, this.now);
-    for (const agent of show.absentAt(time)) this.now[2 * agent] = AWAY + GAP * agent;
+    this.sendAway(show.absentAt(time));
     show.positionsInto(earlier, this.before);
     show.positionsInto(later, this.after);
     show.heightsInto(time, this.high);
@@ -80,6 +80,13 @@ export class Movement {
       this.aimInto(agent, kind === "cones", poses.ahead, poses.left);
     }
     if (kind === "figures") this.walkInto(show, time, sizes.figure, poses.limbs);
+  }
+
+  private sendAway(absent: readonly number[]): void {
+    for (let k = 0; k < absent.length; k += 1) {
+      const agent = absent[k] ?? 0;
+      this.now[2 * agent] = AWAY + GAP * agent;
+    }
   }
 
   /** Which way `agent` heads and, of who flies, climbs and leans. */
