@@ -98,6 +98,7 @@ fn a_shape_that_is_none_says_why() {
     let desk = Desk::new();
     let blank = png(9, 9, |_, _| [255; 4]);
     desk.put_bytes("blank.png", &blank);
+    desk.put_bytes("pale.png", &png(9, 9, |x, _| if x < 4 { [204, 204, 204, 255] } else { [255; 4] }));
     desk.put_bytes("cut.png", &blank[..blank.len() / 2]);
     desk.put_bytes("clear.png", &png(9, 9, |_, _| [0; 4]));
     desk.put_bytes("dot.png", &png(1, 1, |_, _| [0, 0, 0, 255]));
@@ -114,8 +115,13 @@ fn a_shape_that_is_none_says_why() {
     desk.put("cut.svg", &svg("<path")[..60]);
     let triangle = "M 0 0 L 4 0 L 2 3 Z";
     for (input, rest, start) in [
-        ("blank.png", &[][..], "blank-picture: there is no shape in this picture: nothing is dark enough"),
-        ("blank.png", &["--invert"], "blank-picture: there is no shape in this picture: all of it"),
+        ("blank.png", &[][..], "blank-picture: there is no shape in this picture: all of it is alike"),
+        ("blank.png", &["--invert"], "blank-picture: there is no shape in this picture: all of it is alike"),
+        (
+            "pale.png",
+            &[],
+            "blank-picture: there is no shape in this picture: nothing of it is taken for the shape; raise the threshold, to 0.9 ",
+        ),
         ("clear.png", &[], "blank-picture: there is no shape in this picture: all of it is transparent"),
         ("cut.png", &[], "broken-picture: the picture cannot be decoded"),
         ("dot.png", &[], "picture-size: 1 × 1 pixels"),

@@ -95,6 +95,45 @@ fn measure_has_its_keys_and_numbers() {
 }
 
 #[test]
+fn measure_says_who_is_too_fast_who_is_shut_off_and_who_stands_inside() {
+    let desk = Desk::new();
+    let scene = |extra: Value, from: [f64; 2], to: [f64; 2], segment: Value| {
+        let keyframes = json!([{ "positions": [from, [9.5, -9.5]] }, { "time": 2, "positions": [to, [9.5, -6.5]] }]);
+        let mut scene =
+            json!({ "format": "eigenform", "version": 1, "minimumDistance": 0.5, "keyframes": keyframes, "segments": [segment] });
+        scene.as_object_mut().expect("an object").extend(extra.as_object().expect("fields").clone());
+        scene.to_string()
+    };
+    let avoiding = json!({ "method": "linear", "avoidance": true });
+    // Ten meters in two seconds, at a meter a second.
+    let limited = json!({ "agents": [{ "maxSpeed": 1 }, {}] });
+    desk.put("hurried.json", &scene(limited, [0.0, 0.0], [0.0, 10.0], json!({ "method": "crowd" })));
+    let wall = |[left, bottom, right, top]: [i32; 4]| json!({ "kind": "polygon", "points": [[left, bottom], [right, bottom], [right, top], [left, top]] });
+    let walls = [[-4, -4, 4, -3], [-4, 3, 4, 4], [-4, -4, -3, 4], [3, -4, 4, 4]].map(wall);
+    let room = json!({ "obstacles": walls });
+    desk.put("shut.json", &scene(room, [0.0, 0.0], [0.0, 8.0], avoiding.clone()));
+    let pillar = json!({ "obstacles": [{ "kind": "circle", "center": [0, 0], "radius": 1 }] });
+    desk.put("inside.json", &scene(pillar, [0.75, 0.0], [6.0, 0.0], avoiding));
+    let said = |name: &str| {
+        desk.answer(&["measure", name])
+            .lines()
+            .filter(|line| line.contains(": agent ") || line.contains("no way"))
+            .collect::<Vec<_>>()
+            .join("\n")
+    };
+    let hurried = said("hurried.json");
+    assert!(
+        hurried.starts_with("segment 0: agent 0 moves at up to 5.") || hurried.starts_with("segment 0: agent 0 moves at up to 6."),
+        "{hurried}"
+    );
+    assert!(hurried.contains(" m/s to arrive in time, and its top speed is 1 m/s; 10."), "{hurried}");
+    assert!(hurried.ends_with(" s would do"), "{hurried}");
+    let shut = "segment 0: no way leads agent 0 to its place, so it goes through: obstacle 1 shuts it off; move the obstacle, or leave a gap of 1 m";
+    assert_eq!(said("shut.json").lines().next(), Some(shut));
+    assert_eq!(said("inside.json"), "segment 0: agent 0 is 0.250 m inside obstacle 0 at 0.00 s");
+}
+
+#[test]
 fn measure_shows_what_auto_chose_from() {
     let desk = Desk::new();
     let report = parsed(&desk.answer(&["measure", "show.json", "--method", "auto", "--json"]));

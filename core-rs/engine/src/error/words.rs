@@ -63,23 +63,34 @@ impl Display for Counted {
 }
 
 /// Why there is no shape in a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Blank {
     /// Every pixel is transparent.
     Transparent,
-    /// No pixel is taken for the shape.
-    Nothing,
-    /// Every pixel is.
-    Everything,
+    /// No threshold parts any pixel from the others.
+    Alike,
+    /// No pixel is taken for the shape, or every pixel is. Inverting makes the one of the other: another threshold is what helps.
+    Undivided {
+        /// Whether every pixel is taken.
+        is_everything: bool,
+        /// The threshold that was asked for.
+        threshold: f64,
+        /// One that parts them.
+        better: f64,
+    },
 }
 
 impl Display for Blank {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Transparent => "all of it is transparent",
-            Self::Nothing => "nothing is dark enough; raise the threshold or invert it",
-            Self::Everything => "all of it is dark enough; lower the threshold or invert it",
-        })
+        match self {
+            Self::Transparent => f.write_str("all of it is transparent"),
+            Self::Alike => f.write_str("all of it is alike, or nearly so; take one in which a shape stands out"),
+            Self::Undivided { is_everything, threshold, better } => {
+                let taken = if *is_everything { "all" } else { "nothing" };
+                let way = if better > threshold { "raise" } else { "lower" };
+                write!(f, "{taken} of it is taken for the shape; {way} the threshold, to {better} perhaps")
+            }
+        }
     }
 }
 

@@ -196,11 +196,43 @@ fn pictures_without_a_shape_are_refused() {
         assert_eq!(read(width, height, &rgba).err().as_ref(), Some(expected));
     };
     let blank = |why| Error::BlankPicture { why };
-    check(9, 7, [255; 4], &blank(Blank::Nothing));
-    check(9, 7, [0, 0, 0, 255], &blank(Blank::Everything));
+    check(9, 7, [255; 4], &blank(Blank::Alike));
+    check(9, 7, [0, 0, 0, 255], &blank(Blank::Alike));
+    check(9, 7, [90, 0, 0, 40], &blank(Blank::Alike));
     check(9, 7, [0; 4], &blank(Blank::Transparent));
     for (width, height) in [(1, 1), (0, 0), (9_000, 4)] {
         check(width, height, [0, 0, 0, 255], &Error::PictureSize { width, height, low: 4, high: 4_096 });
+    }
+}
+
+#[test]
+fn what_a_blank_picture_is_told_helps() {
+    let tones = [0, 1, 3, 90, 128, 250, 253, 254, 255].map(|tone| [tone, tone, tone, 255]);
+    let faint = [[0; 4], [255, 255, 255, 0], [0, 0, 0, 1], [200, 0, 0, 90], [0, 0, 0, 90], [0, 0, 0, 127], [0, 90, 0, 128], [9, 9, 9, 254]];
+    let pixels = [&tones[..], &faint].concat();
+    let hundredths = || (1..=99).map(|hundredth| f64::from(hundredth) / 100.0);
+    for (one, other) in pixels.iter().flat_map(|one| pixels.iter().map(move |other| (one, other))) {
+        let rgba = [one.repeat(32), other.repeat(32)].concat();
+        let read = |threshold: f64, is_inverted: bool| {
+            Picture { width: 8, height: 8, rgba: &rgba }.coverage(Reading { threshold, is_inverted }).err()
+        };
+        for (threshold, is_inverted) in [0.01, 0.5, 0.99].into_iter().flat_map(|threshold| [(threshold, false), (threshold, true)]) {
+            let Some(refusal) = read(threshold, is_inverted) else { continue };
+            assert!(read(threshold, !is_inverted).is_some(), "inverting does not help: {one:?} and {other:?}");
+            let Error::BlankPicture { why } = refusal else { panic!("{refusal}") };
+            match why {
+                Blank::Transparent => assert_eq!([one[3], other[3]], [0, 0]),
+                Blank::Alike => {
+                    let all_are_blank = hundredths().all(|threshold| read(threshold, false).is_some());
+                    assert!(all_are_blank, "{one:?} and {other:?} are told apart");
+                }
+                Blank::Undivided { is_everything, better, .. } => {
+                    assert_eq!(read(better, is_inverted), None, "{one:?} and {other:?} at {threshold}: {why}");
+                    assert_eq!(is_everything != is_inverted, better < threshold, "{why}");
+                    assert!(why.to_string().contains(if better > threshold { "raise" } else { "lower" }));
+                }
+            }
+        }
     }
 }
 

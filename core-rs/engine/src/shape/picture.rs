@@ -43,22 +43,26 @@ impl Picture<'_> {
         }
         let pixels = self.rgba.as_chunks::<4>().0;
         assert_eq!(pixels.len(), self.width * self.height, "a pixel has four bytes");
-        let (mut clear, mut faint) = (0, 0);
-        for pixel in pixels {
-            clear += usize::from(pixel[3] == 0);
-            faint += usize::from(pixel[3] < INSIDE);
-        }
+        let opacities = pixels.iter().map(|pixel| pixel[3]);
+        let (faintest, firmest) = opacities.fold((u8::MAX, 0), |(low, high), opacity| (low.min(opacity), high.max(opacity)));
+        // A picture that is equally faint everywhere is told by its colors.
+        let tells = if faintest < INSIDE && faintest < firmest { transparency } else { brightness };
         let (mut coverage, mut inside) = (Vec::with_capacity(pixels.len()), 0);
+        let [mut darkest, mut brightest] = [f64::INFINITY, f64::NEG_INFINITY];
         for pixel in pixels {
-            let covered = reading.covered(if faint > 0 { transparency(*pixel) } else { brightness(*pixel) });
+            let tone = tells(*pixel);
+            (darkest, brightest) = (tone.min(darkest), tone.max(brightest));
+            let covered = reading.covered(tone);
             inside += usize::from(covered >= INSIDE);
             coverage.push(covered);
         }
-        let why = match inside {
-            0 if clear == pixels.len() => Blank::Transparent,
-            0 => Blank::Nothing,
-            all if all == pixels.len() => Blank::Everything,
-            _ => return Ok(coverage),
+        if 0 < inside && inside < pixels.len() {
+            return Ok(coverage);
+        }
+        let why = match threshold_between(darkest, brightest) {
+            _ if firmest == 0 => Blank::Transparent,
+            None => Blank::Alike,
+            Some(better) => Blank::Undivided { is_everything: inside > 0, threshold: reading.threshold, better },
         };
         Err(Error::BlankPicture { why })
     }
@@ -90,6 +94,14 @@ impl Reading {
         };
         if self.is_inverted { 255 - covered as u8 } else { covered as u8 }
     }
+}
+
+/// A threshold above one brightness and not above another, as round as there is.
+fn threshold_between(low: f64, high: f64) -> Option<f64> {
+    let middle = low.max(*THRESHOLD.start()).midpoint(high.min(*THRESHOLD.end()));
+    // Brightnesses of two pixels differ by 1 / 255² at least.
+    let rounded = (2..=5).map(|digits| 10.0_f64.powi(digits)).map(|unit| (middle * unit).round() / unit);
+    rounded.into_iter().find(|threshold| low < *threshold && *threshold <= high && THRESHOLD.contains(threshold))
 }
 
 /// Luma on white paper, Rec. 709 in 256ths; 0 to 1.
