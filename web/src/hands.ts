@@ -1,5 +1,5 @@
 import { attachDrop } from "./files/drop";
-import type { Intake } from "./files/intake";
+import { createIntake, type IntakeParts } from "./files/intake";
 import type { Actions } from "./panels/actions";
 import { type AgentClipboard, attachClipboard } from "./panels/clipboard-events";
 import { attachKeyboard } from "./panels/keyboard";
@@ -13,13 +13,14 @@ export interface HandsParts {
   readonly view: View;
   readonly actions: Actions;
   readonly clipboard: AgentClipboard;
-  readonly intake: Intake;
+  readonly intake: IntakeParts;
 }
 
 const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
 
 /** Lets pointer, keys, clipboard and drops in. Fetched as soon as the page is drawn: nobody acts on what they do not see. */
-export function attachHands({ stageHost, toolbox, view, actions, clipboard, intake }: HandsParts): void {
+export function attachHands({ stageHost, toolbox, view, actions, clipboard, ...parts }: HandsParts): void {
+  const intake = createIntake(parts.intake);
   attachTools(stageHost, toolbox, view, isMac);
   attachKeyboard(window, { actions, isMac, holdSpace: toolbox.holdSpace, releaseSpace: toolbox.releaseSpace });
   attachClipboard(document, clipboard, (file) => void intake.openFile(file));

@@ -13,8 +13,9 @@ import { compileEngine } from "./engine/module";
 import { type ArrivalParts, arrive, hasAgents, linkIn, openLink } from "./files/arrival";
 import type { Desk } from "./files/desk";
 import { FIRST_EXAMPLE, readExample } from "./files/examples";
-import { createIntake, problemFrom, sentence } from "./files/intake";
+import type { IntakeParts } from "./files/intake";
 import { keepScene } from "./files/keep";
+import { createReader, problemFrom, sentence } from "./files/reader";
 import type { Aside } from "./panels/aside";
 import { createActions } from "./panels/create-actions";
 import { createDialogs } from "./panels/dialogs/dialogs";
@@ -87,14 +88,16 @@ const toolbox = createToolbox({
   warn: (title, text) => messages.say({ tone: "problem", title, text }),
 });
 
-const intake = createIntake({
+const reader = createReader(engine, messages);
+const intake: IntakeParts = {
   engine,
+  reader,
   document: store,
   messages,
   aside,
   onOpened: showOpened,
   onPicture: (file) => dialogs.show({ kind: "shape", from: "picture", file }),
-});
+};
 
 function showFromStart(): void {
   playback.pause();
@@ -213,7 +216,7 @@ async function attachHands(): Promise<void> {
 const OPEN_LINKED = "Open the linked scene";
 
 const arrival: ArrivalParts = {
-  intake,
+  reader,
   async saved() {
     const restored = await autosave.restore();
     if (restored.kind === "text") {
@@ -248,7 +251,7 @@ const arrival: ArrivalParts = {
     playWhereWelcome();
   },
   async showFirstExample() {
-    const opened = await intake.read(await readExample(FIRST_EXAMPLE), "The example");
+    const opened = await reader.read(await readExample(FIRST_EXAMPLE), "The example");
     if (!opened || hasBegun()) return;
     store.start(opened.scene);
     settled = opened.scene;

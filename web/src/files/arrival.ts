@@ -1,12 +1,12 @@
 import type { Scene } from "../document/scene";
 import { mainTrack } from "../document/scene";
-import type { Intake } from "./intake";
+import type { Reader } from "./reader";
 
 /** What a scene in a link is asked about before it takes the place of the person's own. */
 export type Ask = (linked: Scene) => Promise<boolean>;
 
 export interface ArrivalParts {
-  readonly intake: Intake;
+  readonly reader: Pick<Reader, "read">;
   /** Text of the autosaved scene; null when there is none. */
   readonly saved: () => Promise<string | null>;
   /** The scene as it was left: no step to undo, but what was begun meanwhile is one undo away. */
@@ -31,7 +31,7 @@ function clearAddress(): void {
 
 /** Opens what the address holds. The person's own scene stays until they say so, and one undo away after that. */
 export async function openLink(link: string, parts: ArrivalParts): Promise<boolean> {
-  const opened = await parts.intake.read(link, "That link");
+  const opened = await parts.reader.read(link, "That link");
   clearAddress();
   if (!opened) return false;
   if (parts.hasOwn() && !(await parts.askToOpen(opened.scene))) return false;
@@ -48,9 +48,9 @@ export async function arrive(parts: ArrivalParts): Promise<void> {
   if (!own && !isLinked) await parts.showFirstExample();
 }
 
-async function restored({ saved, intake }: ArrivalParts): Promise<Scene | null> {
+async function restored({ saved, reader }: ArrivalParts): Promise<Scene | null> {
   const text = await saved();
-  const opened = text === null ? null : await intake.read(text, "Your last scene");
+  const opened = text === null ? null : await reader.read(text, "Your last scene");
   return opened?.scene ?? null;
 }
 

@@ -8,7 +8,8 @@ import { withChosen } from "./chosen";
 import { download, fileName } from "./download";
 import { pickFile } from "./drop";
 import { readExample, readRecording } from "./examples";
-import { type Intake, problemFrom, sentence } from "./intake";
+import { createIntake, type IntakeParts } from "./intake";
+import { problemFrom, sentence } from "./reader";
 
 /** What is done with a scene as a whole when somebody asks: fetched then. */
 export interface Desk {
@@ -24,7 +25,7 @@ export interface DeskParts {
   readonly engine: Pick<Engine, "writeScene">;
   readonly planner: Pick<Planner, "segments">;
   readonly messages: Messages;
-  readonly intake: Intake;
+  readonly intake: IntakeParts;
   /** The page's address, without a fragment. */
   readonly address: string;
   /** An example took the scene's place: it is shown from its start. */
@@ -32,6 +33,8 @@ export interface DeskParts {
 }
 
 export function createDesk({ document, engine, planner, messages, intake, address, onExample }: DeskParts): Desk {
+  const { openFile, openText } = createIntake(intake);
+
   function sceneToShare(): Scene {
     return withChosen(document.scene.peek(), planner.segments.peek());
   }
@@ -41,7 +44,7 @@ export function createDesk({ document, engine, planner, messages, intake, addres
   }
 
   return {
-    open: () => pickFile((file) => void intake.openFile(file)),
+    open: () => pickFile((file) => void openFile(file)),
     async save() {
       try {
         saveFile("eigenform.json", await engine.writeScene(sceneToShare()), "application/json");
@@ -61,8 +64,8 @@ export function createDesk({ document, engine, planner, messages, intake, addres
       loadPreview: async (id) => (await import("./gallery/previews")).loadPreview(id),
       async openExample({ id, title, view }) {
         try {
-          if (view?.kind === "recording") return await intake.openText(await readRecording(id), title);
-          const opened = await intake.read(await readExample(id), title);
+          if (view?.kind === "recording") return await openText(await readRecording(id), title);
+          const opened = await intake.reader.read(await readExample(id), title);
           if (!opened) return false;
           openScene(document, opened.scene, `Open ${title}`);
           onExample();

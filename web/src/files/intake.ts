@@ -2,24 +2,24 @@ import type { Signal } from "@preact/signals";
 import { openScene } from "../document/open-scene";
 import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
-import { type Engine, EngineError, type EngineProblem, type Opened } from "../engine/api";
+import type { Engine, Opened } from "../engine/api";
 import type { Aside } from "../panels/aside";
 import type { Messages } from "../panels/messages";
+import { problemFrom, type Reader } from "./reader";
 
 /** Larger files are refused before they are read; the engine has the same limit. */
 const FILE_LIMIT = 64 * 1024 * 1024;
 
-/** Everything that comes from outside: files, drops, links, examples. A refusal leaves the scene as it was. */
+/** What a person brings from outside becomes the scene: files and drops. A refusal leaves it as it was. */
 export interface Intake {
   /** Opens text as a new scene; answers whether it did. */
   openText(text: string, name: string): Promise<boolean>;
   openFile(file: File): Promise<boolean>;
-  /** Reads text through the engine without opening it; null after saying why not. */
-  read(text: string, name: string): Promise<Opened | null>;
 }
 
 export interface IntakeParts {
   readonly engine: Engine;
+  readonly reader: Reader;
   readonly document: DocumentStore;
   readonly messages: Messages;
   readonly aside: Signal<Aside | null>;
@@ -29,21 +29,10 @@ export interface IntakeParts {
   onPicture(file: File): void;
 }
 
-/** The problem as a person reads it, what and where: a sentence, of which the engine says the words only. */
-export function sentence({ what, where }: EngineProblem): string {
-  const said = what.charAt(0).toUpperCase() + what.slice(1).replace(/\.$/, "");
-  return where ? `${said} (${where}).` : `${said}.`;
-}
-
 /** A table has no title: it is called by its file. */
 function titled({ scene, source }: Opened, name: string): Scene {
   if (source !== "csv" || scene.title !== "") return scene;
   return { ...scene, title: name.replace(/\.[a-z]+$/i, "").slice(0, 200) };
-}
-
-export function problemFrom(error: unknown): EngineProblem {
-  if (error instanceof EngineError) return error.problem;
-  return { code: "unexpected", what: error instanceof Error ? error.message : String(error), where: "" };
 }
 
 function isPicture({ type, name }: File): boolean {
@@ -53,23 +42,9 @@ function isPicture({ type, name }: File): boolean {
 /** How the engine refuses a motion where a scene is wanted. */
 const IS_RECORDING = "recording";
 
-export function createIntake({ engine, document, messages, aside, onOpened, onPicture }: IntakeParts): Intake {
-  function refuse(name: string, problem: EngineProblem): void {
-    messages.say({
-      tone: "problem",
-      title: `${name} was not opened.`,
-      text: `${sentence(problem)} Your scene is unchanged.`,
-    });
-  }
-
-  async function read(text: string, name: string): Promise<Opened | null> {
-    try {
-      return await engine.open(text);
-    } catch (error) {
-      refuse(name, problemFrom(error));
-      return null;
-    }
-  }
+export function createIntake(parts: IntakeParts): Intake {
+  const { engine, document, messages, aside, onOpened, onPicture } = parts;
+  const { refuse } = parts.reader;
 
   async function openRecorded(text: string, name: string): Promise<boolean> {
     try {
@@ -101,7 +76,6 @@ export function createIntake({ engine, document, messages, aside, onOpened, onPi
   }
 
   return {
-    read,
     openText,
     async openFile(file) {
       if (isPicture(file)) {

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { sentence } from "./intake";
+import { sentence } from "./reader";
 
 test("a problem reads as one sentence, whatever the engine's words begin and end with", () => {
   expect(sentence({ code: "", what: "the end of the link is missing", where: "" })).toBe(
