@@ -1,6 +1,7 @@
+import { DEFAULT_AGENT } from "../document/defaults";
 import { groupAt, groupPaths, groupSet } from "../document/groups";
 import { agentColors, agentLabel, groupColor } from "../document/queries";
-import { type GroupPath, mainTrack, type Scene } from "../document/scene";
+import { type Agent, type GroupPath, mainTrack, type Scene } from "../document/scene";
 import { inkOn } from "./contrast";
 import type { Palette } from "./palette";
 import { shortName } from "./short-name";
@@ -32,12 +33,15 @@ export interface Cast {
   /** What fits in a disc. */
   readonly shortNames: readonly string[];
   readonly paints: readonly Paint[];
+  /** By agent, the radius of its body, meters, where it has one of its own; null while nobody has. */
+  readonly bodies: readonly (number | null)[] | null;
   /** Parents before children. */
   readonly groups: readonly CastGroup[];
 }
 
 export function castOf(scene: Scene, palette: Palette): Cast {
-  const count = mainTrack(scene).agents.length;
+  const { agents } = mainTrack(scene);
+  const isOwn = ({ radius }: Agent) => radius !== DEFAULT_AGENT.radius;
   const colors = agentColors(scene).map((stored) => palette.shown(stored));
   const byColor = new Map<string, number[]>();
   colors.forEach((color, agent) => {
@@ -51,13 +55,14 @@ export function castOf(scene: Scene, palette: Palette): Cast {
     agents: Uint32Array.from(agents),
   }));
   const inks = new Map(paints.map(({ color, ink }) => [color, ink]));
-  const names = Array.from({ length: count }, (_, agent) => agentLabel(scene, agent));
+  const names = agents.map((_, agent) => agentLabel(scene, agent));
   return {
     colors,
     inks: colors.map((color) => inks.get(color) ?? palette.ink),
     names,
     shortNames: names.map(shortName),
     paints,
+    bodies: agents.some(isOwn) ? agents.map((agent) => (isOwn(agent) ? agent.radius : null)) : null,
     groups: groupPaths(scene.groups).map((path) => {
       const group = groupAt(scene.groups, path);
       return {

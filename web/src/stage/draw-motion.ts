@@ -53,6 +53,8 @@ const marks = later(() => import("./layers/clashes"));
 const inTheWay = later(() => import("./layers/obstacles"));
 /** Mostly everybody is there. */
 const absent = later(() => import("./layers/absent"));
+/** Mostly nobody has a size of their own. */
+const bodies = later(() => import("./layers/bodies"));
 const edges = later(() => import("./layers/hull-edge"));
 /** Most shows are on the plane. */
 const heights = later(() => import("./layers/heights"));
@@ -123,9 +125,10 @@ export function createMotionPainter(
     const { scene, layers } = picture;
     context.clearRect(0, 0, frame.size.width, frame.size.height);
     turns.draw(context, frame, isSparing);
+    if (frame.cast.bodies) bodies()?.drawBodies(context, frame, picture.isMarked);
     drawAgents(context, frame);
-    // Under way there is nothing to see of them.
-    if (frame.isGone && picture.show.segmentAt(picture.time) === null) absent()?.drawAbsent(context, frame);
+    if (frame.presence) absent()?.drawAbsent(context, frame, picture.show.segmentAt(picture.time) === null);
+    if (frame.cast.bodies) bodies()?.drawCores(context, frame, picture.isMarked);
     if (layers.names) drawNames(context, frame);
     if (frame.heights && picture.areHeightsShown) heights()?.drawHeights(context, frame, scene.stage.units);
     if (scene.minimumDistance > 0) {

@@ -20,6 +20,8 @@ export class Frame {
   heights: Float32Array<ArrayBufferLike> | null = null;
   /** By agent, 1 for who is not there now; null while everybody is. */
   isGone: Uint8Array | null = null;
+  /** By agent, how much of it is to be seen, 0 nothing to 1 all; null while all of everybody is. */
+  presence: Float32Array | null = null;
   /** CSS pixels on the stage: x, y an agent, now. */
   points: Float32Array<ArrayBufferLike> = new Float32Array(0);
 
@@ -59,6 +61,12 @@ export class Frame {
     if (this.isGone?.length !== this.agentCount) this.isGone = new Uint8Array(this.agentCount);
     this.isGone.fill(0);
     for (const agent of absent) this.isGone[agent] = 1;
+  }
+
+  /** Makes room for how much of everybody is to be seen. */
+  appear(): Float32Array {
+    if (this.presence?.length !== this.agentCount) this.presence = new Float32Array(this.agentCount);
+    return this.presence;
   }
 
   /** Projects `places` to `points`. */

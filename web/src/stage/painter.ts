@@ -16,6 +16,8 @@ import type { Subject } from "./subject";
 
 /** Most shows have nothing in the way. */
 const inTheWay = later(() => import("./layers/obstacles"));
+/** Mostly everybody is there throughout. */
+const appearing = later(() => import("./presence"));
 /** Nothing is selected at first. */
 const handiwork = later(() => import("./draw-handles"));
 
@@ -83,6 +85,9 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     show.positionsInto(time, frame.places);
     if (frame.heights) show.heightsInto(time, frame.heights);
     frame.miss(show.absentAt(time));
+    const part = track.keyframes.some(({ absent }) => absent.length > 0) ? appearing() : null;
+    if (part) part.presenceInto(frame.appear(), track, show, time);
+    else frame.presence = null;
     frame.project();
   }
 

@@ -41,7 +41,7 @@ export function createSprites(frame: Frame, halo: number): Sprites {
   return {
     fits: (next, nextHalo) =>
       next.cast === cast && next.radius === radius && next.density === density && nextHalo === halo,
-    stamp(context, { points, agentCount, size, isGone }) {
+    stamp(context, { points, agentCount, size, isGone, presence }) {
       // In canvas pixels, so that every sprite lands on whole ones.
       context.save();
       context.setTransform(1, 0, 0, 1, 0, 0);
@@ -55,6 +55,7 @@ export function createSprites(frame: Frame, halo: number): Sprites {
         const top = Math.floor(y);
         const phase = Math.floor((y - top) * PHASES) * PHASES + Math.floor((x - left) * PHASES);
         const row = rows[agent] ?? 0;
+        if (presence) context.globalAlpha = presence[agent] ?? 1;
         context.drawImage(sheet, phase * side, row * side, side, side, left - reach, top - reach, side, side);
       }
       context.restore();

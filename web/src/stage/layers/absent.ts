@@ -1,17 +1,21 @@
 import type { Frame } from "../frame";
 import { clamp } from "../spacing";
 
-/** Who is absent from a formation: a hollow, broken disc where they leave to and come from. */
-export function drawAbsent(context: CanvasRenderingContext2D, frame: Frame): void {
-  const { isGone, points, radius, cast } = frame;
+/**
+ * Who is absent from a formation: a hollow, broken disc where they leave to and come from. On the way it takes the place
+ * of a disc as that fades; whoever is on neither end leaves no trace there.
+ */
+export function drawAbsent(context: CanvasRenderingContext2D, frame: Frame, isStanding: boolean): void {
+  const { presence, isGone, points, radius, cast } = frame;
   const width = clamp(0.18 * radius, 1, 1.75);
   context.lineWidth = width;
-  context.globalAlpha = 0.75;
   context.setLineDash([Math.max(1.5, 0.45 * radius), Math.max(1.5, 0.35 * radius)]);
   for (let agent = 0; agent < frame.agentCount; agent += 1) {
+    const missing = 1 - (presence?.[agent] ?? 1);
     const x = points[2 * agent] ?? 0;
     const y = points[2 * agent + 1] ?? 0;
-    if (!isGone?.[agent] || !frame.sees(x, y, radius)) continue;
+    if (missing === 0 || (isGone?.[agent] && !isStanding) || !frame.sees(x, y, radius)) continue;
+    context.globalAlpha = 0.75 * missing;
     context.strokeStyle = cast.colors[agent] ?? frame.palette.ink3;
     context.beginPath();
     context.arc(x, y, Math.max(1, radius - width / 2), 0, 2 * Math.PI);

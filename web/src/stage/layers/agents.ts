@@ -10,8 +10,11 @@ export function createAgentsLayer(): (context: CanvasRenderingContext2D, frame: 
   let sprites: Sprites | null = null;
   return (context, frame) => {
     if (frame.agentCount <= MANY) {
-      for (let agent = 0; agent < frame.agentCount; agent += 1)
+      for (let agent = 0; agent < frame.agentCount; agent += 1) {
+        context.globalAlpha = frame.presence?.[agent] ?? 1;
         if (!frame.isGone?.[agent]) drawAgent(context, frame, agent);
+      }
+      context.globalAlpha = 1;
       return;
     }
     const halo = haloWidth(frame.radius);

@@ -12,7 +12,10 @@ export function drawNames(context: CanvasRenderingContext2D, frame: Frame): void
   if (frame.radius < ROOMY_RADIUS || alpha === 0) return;
   setNameStyle(context, frame);
   context.globalAlpha = alpha;
-  for (let agent = 0; agent < frame.agentCount; agent += 1) if (!frame.isGone?.[agent]) drawName(context, frame, agent);
+  for (let agent = 0; agent < frame.agentCount; agent += 1) {
+    if (frame.presence) context.globalAlpha = alpha * (frame.presence[agent] ?? 1);
+    if (!frame.isGone?.[agent]) drawName(context, frame, agent);
+  }
   context.globalAlpha = 1;
 }
 

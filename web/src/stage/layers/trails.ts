@@ -69,7 +69,9 @@ export function createTrailsLayer(): DrawTrails {
       const isInSight = frame.sees(line[middle] ?? 0, line[middle + 1] ?? 0, travel + radius);
       isSeen[agent] = travel > radius && isInSight && !frame.isGone?.[agent] ? 1 : 0;
       if (isSeen[agent] === 1) {
-        outlineInto(line, places, look.tailWidth, look.headWidth, outlines, 4 * agent * places);
+        // A trail gets thin with who fades at its end.
+        const part = frame.presence?.[agent] ?? 1;
+        outlineInto(line, places, look.tailWidth * part, look.headWidth * part, outlines, 4 * agent * places);
       }
     }
   }

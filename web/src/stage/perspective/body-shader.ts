@@ -10,16 +10,19 @@ attribute vec3 place;
 attribute vec3 ahead;
 attribute vec3 left;
 attribute vec3 tint;
+attribute float presence;
 uniform float size;
 /** Where the body's own origin is above its place, in sizes. */
 uniform float lift;
 varying vec3 vTint;
 varying vec3 vNormal;
+varying float vPresence;
 
 void set(vec3 corner, vec3 outward) {
   mat3 body = mat3(ahead, left, cross(ahead, left));
   vNormal = body * outward;
   vTint = tint;
+  vPresence = presence;
   vec3 at = place + size * (body * corner + vec3(0.0, 0.0, lift));
   gl_Position = projectionMatrix * modelViewMatrix * vec4(at, 1.0);
 }
@@ -77,9 +80,16 @@ export const BODY_FRAGMENT = /* glsl */ `
 uniform float shade;
 varying vec3 vTint;
 varying vec3 vNormal;
+varying float vPresence;
 const vec3 LIGHT = vec3(-0.36, -0.48, 0.8);
 
+/** Interleaved gradient noise, 0..1 (Jimenez 2014): bodies need not be sorted when their pixels are left out. */
+float grain() {
+  return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+}
+
 void main() {
+  if (vPresence < 1.0 && grain() >= vPresence) discard;
   float lit = 0.5 + 0.5 * dot(normalize(vNormal), LIGHT);
   gl_FragColor = vec4(mix(vTint * shade, mix(vTint, vec3(1.0), 0.1), lit), 1.0);
 }

@@ -1,8 +1,10 @@
 import { Color, Group } from "three";
+import type { Track } from "../../document/scene";
 import type { SegmentMotion } from "../../playback/motion";
 import type { Show } from "../../playback/show";
 import type { Cast } from "../cast";
 import type { Palette } from "../palette";
+import { presenceInto } from "../presence";
 import type { Scenery } from "../scenery";
 import { createDrops } from "./air";
 import { type BodyKind, createBodies } from "./bodies";
@@ -43,7 +45,7 @@ export interface Crowd {
   readonly xy: Float32Array;
   readonly heights: Float32Array;
   /** Everybody at `time`; allocates nothing. */
-  pose(show: Show, time: number, kind: BodyKind, sizes: BodySizes): void;
+  pose(track: Track, show: Show, time: number, kind: BodyKind, sizes: BodySizes): void;
   /** Trails of `motion` at `time`, of bodies of `radius` meters; none without one. */
   trail(motion: SegmentMotion | null, time: number, strength: number, radius: number): void;
   /** Ties and hulls among everybody as they were posed last. */
@@ -70,7 +72,8 @@ export function createCrowd(count: number): Crowd {
     place: instances.place,
     xy: movement.now,
     heights: movement.high,
-    pose(show, time, kind, sizes) {
+    pose(track, show, time, kind, sizes) {
+      presenceInto(instances.presence, track, show, time);
       movement.poseInto(show, time, kind, sizes, instances);
       instances.moved(kind === "figures");
       bodies.show(kind, sizes);

@@ -9,6 +9,8 @@ export class Instances {
   readonly ahead: Float32Array;
   readonly left: Float32Array;
   readonly limbs: Limbs;
+  /** How much of them is to be seen, 0..1. */
+  readonly presence: Float32Array;
   /** Red, green, blue as the screen takes them, 0..1. */
   readonly tint: Float32Array;
   /** 1 for who is selected, else 0. */
@@ -24,6 +26,7 @@ export class Instances {
     this.place = new Float32Array(3 * count);
     this.ahead = new Float32Array(3 * count);
     this.left = new Float32Array(3 * count);
+    this.presence = new Float32Array(count).fill(1);
     this.tint = new Float32Array(3 * count);
     this.chosen = new Float32Array(count);
     this.limbs = {
@@ -33,7 +36,12 @@ export class Instances {
       rightArm: new Float32Array(4 * count),
       posture: new Float32Array(3 * count),
     };
-    const frame = { place: changing(this.place, 3), ahead: changing(this.ahead, 3), left: changing(this.left, 3) };
+    const frame = {
+      place: changing(this.place, 3),
+      ahead: changing(this.ahead, 3),
+      left: changing(this.left, 3),
+      presence: changing(this.presence, 1),
+    };
     const limbs = {
       leftLeg: changing(this.limbs.leftLeg, 4),
       rightLeg: changing(this.limbs.rightLeg, 4),

@@ -8,14 +8,17 @@ const REACH = 2.2;
 const VERTEX = /* glsl */ `
 attribute vec3 place;
 attribute float chosen;
+attribute float presence;
 uniform float radius;
 varying vec2 vFrom;
 varying float vChosen;
 varying float vHeight;
+varying float vPresence;
 
 void main() {
   vFrom = position.xy * 2.0 * ${REACH.toFixed(1)};
   vChosen = chosen;
+  vPresence = presence;
   vHeight = place.z / radius;
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position.xy * 2.0 * ${REACH.toFixed(1)} * radius + place.xy, 0.0, 1.0);
 }
@@ -28,6 +31,7 @@ uniform vec3 you;
 varying vec2 vFrom;
 varying float vChosen;
 varying float vHeight;
+varying float vPresence;
 
 void main() {
   float away = length(vFrom);
@@ -36,7 +40,7 @@ void main() {
   float softness = 0.55 + 0.12 * min(vHeight, 8.0);
   float dark = darkness * (1.0 - smoothstep(1.15 - softness, 1.15 + softness, away)) / (1.0 + 0.12 * vHeight);
   float band = vChosen * (1.0 - smoothstep(0.11, 0.11 + pixel, abs(away - 1.62)));
-  float alpha = max(dark, band);
+  float alpha = vPresence * max(dark, band);
   gl_FragColor = vec4(mix(shadow, you, band), alpha);
 }
 `;

@@ -132,8 +132,8 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
   }
 
   function pose(): void {
-    const { show, time, kind, sizes } = picture;
-    crowd.pose(show, time, kind, sizes);
+    const { track, show, time, kind, sizes } = picture;
+    crowd.pose(track, show, time, kind, sizes);
     meetable.height = kind === "figures" ? sizes.figure : DISC_HEIGHT * sizes.disc;
     meetable.radius = markRadius(kind, sizes);
     trail();
