@@ -10,6 +10,7 @@ import { useAgentColors, usePalette } from "../timeline/use-paint";
 import { openTrial } from "./create-trial";
 import { drawTrial, type TrialSketch } from "./draw-trial";
 import { nearestTo, withStays } from "./walks";
+import { waysAlong } from "./ways";
 
 /** CSS pixels from the pointer within which an agent or a place is meant. */
 const REACH = 22;
@@ -26,7 +27,7 @@ const NOTHING: Doing = { kind: "nothing" };
 
 /** The trial over the stage: who drags an agent to a place locks it there, and lets it go beside all places. */
 export function AssignmentOverlay() {
-  const { document, view } = useStudio();
+  const { document, planner, view } = useStudio();
   const canvas = useRef<HTMLCanvasElement>(null);
   const palette = usePalette();
   const stored = useAgentColors();
@@ -55,10 +56,13 @@ export function AssignmentOverlay() {
         const [from, target] = places;
         const { to, bends } =
           found && rest === "stay" ? withStays(from, target, absent, found) : { to: target, bends: found?.bends ?? [] };
-        const sketch: TrialSketch = { from, to, slots: found?.slots ?? null, bends, locks, drag, obstacles };
+        const planning = planner.segments.value[segment];
+        const motion = planning?.kind === "ready" ? planning.plan.motion : null;
+        const ways = found ? waysAlong(motion, to, found.slots, bends) : bends;
+        const sketch: TrialSketch = { from, to, slots: found?.slots ?? null, bends, ways, locks, drag, obstacles };
         drawTrial(context, sketch, { camera, size, palette, colors });
       }),
-    [view, palette, stored],
+    [view, palette, stored, planner],
   );
 
   const placeOf = (event: MouseEvent): Point => toStage(view.camera.peek(), { x: event.offsetX, y: event.offsetY });

@@ -22,7 +22,9 @@ export interface TrialSketch {
   readonly slots: readonly number[] | null;
   /** By agent, where its way there bends. */
   readonly bends: Bends;
-  /** What it bends around. */
+  /** The same of the ways as they are drawn, which a motion may lead elsewhere. */
+  readonly ways: Bends;
+  /** What they bend around. */
   readonly obstacles: readonly Obstacle[];
   readonly locks: readonly (readonly [agent: number, slot: number])[];
   /** An agent being dragged, where to, and the place it would be locked to. */
@@ -39,7 +41,7 @@ export interface Look {
 
 /** Discs where the agents are, rings where they go, a line each; locked ones firm, the longest walk marked. */
 export function drawTrial(context: CanvasRenderingContext2D, sketch: TrialSketch, look: Look): void {
-  const { from, to, slots, bends, locks, drag } = sketch;
+  const { from, to, slots, bends, ways, locks, drag } = sketch;
   const { camera, size, palette, colors } = look;
   const radius = discRadius(screenSpacing(neighborSpacing(from), camera.scale));
   context.clearRect(0, 0, size.width, size.height);
@@ -61,7 +63,7 @@ export function drawTrial(context: CanvasRenderingContext2D, sketch: TrialSketch
   context.lineWidth = from.agentCount > MANY ? 0.8 : 1.4;
   slots?.forEach((slot, agent) => {
     context.strokeStyle = colors[agent] ?? palette.ink2;
-    line(agent, to.point(slot), bends[agent]);
+    line(agent, to.point(slot), ways[agent]);
   });
   drawDiscs(context, sketch, look, radius);
   context.globalAlpha = 1;
@@ -70,11 +72,11 @@ export function drawTrial(context: CanvasRenderingContext2D, sketch: TrialSketch
   const longest = slots ? walksOf(from, to, bends, slots).who : -1;
   if (slots && longest >= 0) {
     context.setLineDash([6, 4]);
-    line(longest, to.point(slots[longest] ?? longest), bends[longest]);
+    line(longest, to.point(slots[longest] ?? longest), ways[longest]);
     context.setLineDash([]);
   }
   context.lineWidth = 2.5;
-  for (const [agent, slot] of locks) line(agent, to.point(slot), slots?.[agent] === slot ? bends[agent] : []);
+  for (const [agent, slot] of locks) line(agent, to.point(slot), slots?.[agent] === slot ? ways[agent] : []);
   if (drag) {
     context.strokeStyle = palette.you;
     line(drag.agent, drag.slot === null ? drag.at : to.point(drag.slot));
