@@ -1,4 +1,5 @@
 import { renameAgent, setPlace } from "../../document/commands/agents";
+import { clampCoordinate } from "../../document/limits";
 import { parseLength } from "../../document/parse";
 import { agentLabel } from "../../document/queries";
 import type { Scene } from "../../document/scene";
@@ -25,7 +26,9 @@ export function cellText(scene: Scene, xy: ArrayLike<number>, agent: number, col
 
 /** Whether a cell can take a text over. */
 export function accepts(scene: Scene, column: ColumnName, text: string): boolean {
-  return column === "name" || parseLength(text, scene.stage.units) !== null;
+  if (column === "name") return true;
+  const length = parseLength(text, scene.stage.units);
+  return length !== null && length === clampCoordinate(length);
 }
 
 /** What typing `text` into a cell does; null when it does nothing. */

@@ -6,6 +6,7 @@ import { mainTrack, type Scene } from "../../document/scene";
 import { Icon } from "../../theme/icons";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
+import { fewOf } from "../few";
 import { wholeQuantity } from "../inspector/quantities";
 import type { AssignmentTrial } from "./create-trial";
 
@@ -18,11 +19,13 @@ export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTria
   const pair = useSignal<readonly [agent: number, slot: number]>([1, 1]);
   const number = wholeQuantity(1, Math.max(1, mainTrack(scene).agents.length));
   const [agent, slot] = pair.value;
+  const latest = fewOf(locks.toReversed(), MOST_SHOWN).toReversed();
+  const hiddenCount = locks.length - latest.length;
   return (
     <>
       {locks.length > 0 && (
         <ul class="lock-list" aria-label="Locks">
-          {locks.slice(-MOST_SHOWN).map(([locked, place]) => (
+          {latest.map(([locked, place]) => (
             <li key={locked}>
               <span class="ellipsis">
                 {agentLabel(scene, locked)} → place of {agentLabel(scene, place)}
@@ -39,7 +42,7 @@ export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTria
           ))}
         </ul>
       )}
-      {locks.length > MOST_SHOWN && <p class="inspector-text">and {locks.length - MOST_SHOWN} more locks</p>}
+      {hiddenCount > 0 && <p class="inspector-text">and {hiddenCount} more locks</p>}
       <Row label="Lock" note="or drag on the stage">
         <span class="lock-pair">
           <NumberBox

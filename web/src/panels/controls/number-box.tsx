@@ -1,15 +1,18 @@
 import { useEffect, useState } from "preact/hooks";
 import { useStudio } from "../studio";
 import { undidScene } from "./field-undo";
-import { clampTo, type Quantity, rangeWords, stepped, stepsOf } from "./quantity";
+import { clampTo, type Quantity, rangeWords, stepped, stepsOf, withUnit } from "./quantity";
 
 /** How long it is said that a number was corrected, milliseconds. */
 const CORRECTION_TIME = 6000;
 
+/** Units are converted back and forth. */
+const ROUND_OFF = 1e-6;
+
 /**
  * A number to type, step with the arrows, and read with its unit. It is taken over on Enter and on leaving; Escape
- * leaves it as it was. What is no number keeps its edge in red and is not taken over; what is too small or too large
- * becomes what is admissible, and that is said.
+ * leaves it as it was. What is no number keeps its edge in red and is not taken over; what is too small or too large,
+ * for itself or beside what else is in the scene, becomes what is admissible, and that is said.
  */
 export function NumberBox(props: {
   label: string;
@@ -29,6 +32,8 @@ export function NumberBox(props: {
   const { value, quantity } = props;
   const [draft, setDraft] = useState<string | null>(null);
   const [correction, setCorrection] = useState<string | null>(null);
+  /** What was taken over just now: the scene may have made something else of it. */
+  const [asked, setAsked] = useState<number | null>(null);
   useEffect(() => {
     if (correction === null) return;
     const timer = setTimeout(() => setCorrection(null), CORRECTION_TIME);
@@ -36,14 +41,29 @@ export function NumberBox(props: {
   }, [correction]);
   const isInvalid = draft !== null && quantity.parse(draft) === null;
 
+  function tell(words: string): void {
+    setCorrection(words);
+    messages.announce(`${props.label}: ${words}`);
+  }
+  useEffect(() => {
+    if (asked === null) return;
+    setAsked(null);
+    const isOther = Math.abs(asked - value) > ROUND_OFF && quantity.format(asked) !== quantity.format(value);
+    if (isOther) tell(`As near as it can be: ${withUnit(quantity, value)}`);
+  }, [asked]);
+
+  /** Takes a number over, and says when it is not what was asked for. */
+  function take(number: number): void {
+    const admissible = clampTo(quantity, number);
+    if (admissible !== number) tell(rangeWords(quantity));
+    else if (!props.isLive) setAsked(number);
+    props.onCommit(admissible);
+  }
+
   function commit(): void {
     const typed = draft === null ? null : quantity.parse(draft);
     setDraft(null);
-    if (typed !== null && typed !== clampTo(quantity, typed)) {
-      setCorrection(rangeWords(quantity));
-      messages.announce(`${props.label}: ${rangeWords(quantity)}`);
-    }
-    if (typed !== null && (props.isLive || draft !== quantity.format(value))) props.onCommit(clampTo(quantity, typed));
+    if (typed !== null && (props.isLive || draft !== quantity.format(value))) take(typed);
   }
 
   return (
@@ -87,7 +107,9 @@ export function NumberBox(props: {
           event.preventDefault();
           const from = (draft === null ? null : quantity.parse(draft)) ?? value;
           setDraft(null);
-          props.onCommit(stepped(quantity, from, steps));
+          const next = stepped(quantity, from, steps);
+          if (next === from) tell(rangeWords(quantity));
+          else take(next);
         }}
       />
       {quantity.unit && !props.isUnitBeside && <span class="unit">{quantity.unit}</span>}

@@ -24,6 +24,11 @@ export function rangeWords({ min, max, unit, format }: Quantity): string {
   return `Between ${grouped(format(min))} and ${grouped(format(max))} ${unit}`.trim();
 }
 
+/** A value as it is written, with its unit. */
+export function withUnit({ unit, format }: Quantity, value: number): string {
+  return `${grouped(format(value))} ${unit}`.trim();
+}
+
 /** A whole number of five digits and more, or four, with its thousands apart; anything else as it is. */
 function grouped(written: string): string {
   return /^-?\d{4,}$/.test(written) ? Number(written).toLocaleString("en-US") : written;

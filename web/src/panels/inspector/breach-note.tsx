@@ -6,6 +6,7 @@ import { mainTrack, type Scene } from "../../document/scene";
 import { lengthWithUnit } from "../../document/units";
 import { Icon } from "../../theme/icons";
 import { breachesOf } from "../breaches";
+import { AndMore, fewOf } from "../few";
 import { useStudio } from "../studio";
 
 /** A distance that is kept may fall short by this share of it: coordinates are rounded in links and by conversions. */
@@ -30,14 +31,14 @@ export function BreachNote({ index }: { index: number }) {
     ...tooNearObstacles(scene, formation),
   ];
   if (entries.length === 0) return null;
-  const rest = entries.length - MOST;
+  const few = fewOf(entries, MOST);
   return (
     <div class="note clash">
       <Icon node={TriangleAlert} />
       <div>
         <p>Nearer here than {lengthWithUnit(scene.minimumDistance, units)}:</p>
         <ul class="breaches" aria-label="Too near">
-          {entries.slice(0, MOST).map(({ agents, words, where }) => (
+          {few.map(({ agents, words, where }) => (
             <li key={words}>
               <button
                 type="button"
@@ -53,7 +54,7 @@ export function BreachNote({ index }: { index: number }) {
             </li>
           ))}
         </ul>
-        {rest > 0 && <p>and {rest} more</p>}
+        <AndMore count={entries.length - few.length} />
       </div>
     </div>
   );

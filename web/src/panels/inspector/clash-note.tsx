@@ -7,6 +7,7 @@ import { mainTrack, type Scene } from "../../document/scene";
 import { formatTime, lengthWithUnit } from "../../document/units";
 import type { Approach, Engine, KeyframeBreach, ObstacleApproach, SegmentReport } from "../../engine/api";
 import { Icon } from "../../theme/icons";
+import { Few } from "../few";
 import { shutOffWords } from "../no-way";
 import { useStudio } from "../studio";
 import { type NextStep, nextSteps } from "./next-steps";
@@ -29,19 +30,20 @@ export function ClashNote({ index, report }: { index: number; report: SegmentRep
     <div class="note clash">
       <Icon node={TriangleAlert} />
       <div>
-        {breaches.slice(0, MOST).map((breach) => (
-          <Standing key={JSON.stringify(breach)} scene={scene} segment={index} breach={breach} />
-        ))}
-        {clashes.slice(0, MOST).map((clash) => (
-          <Meeting key={`${clash.agents} ${clash.time}`} scene={scene} clash={clash} onGo={() => goTo(clash.time)} />
-        ))}
-        {report.shutOff?.slice(0, MOST).map((shut) => (
-          <p key={shut.agent}>{shutOffWords(scene, shut)}</p>
-        ))}
-        {blocked.slice(0, MOST).map((at) => (
-          <Blocked key={`${at.agent} ${at.obstacle}`} scene={scene} at={at} onGo={() => goTo(at.time)} />
-        ))}
-        {clashes.length > MOST && <p>and {clashes.length - MOST} more</p>}
+        <Few all={breaches} most={MOST}>
+          {(breach) => <Standing key={JSON.stringify(breach)} scene={scene} segment={index} breach={breach} />}
+        </Few>
+        <Few all={clashes} most={MOST}>
+          {(clash) => (
+            <Meeting key={`${clash.agents} ${clash.time}`} scene={scene} clash={clash} onGo={() => goTo(clash.time)} />
+          )}
+        </Few>
+        <Few all={report.shutOff ?? []} most={MOST}>
+          {(shut) => <p key={shut.agent}>{shutOffWords(scene, shut)}</p>}
+        </Few>
+        <Few all={blocked} most={MOST}>
+          {(at) => <Blocked key={`${at.agent} ${at.obstacle}`} scene={scene} at={at} onGo={() => goTo(at.time)} />}
+        </Few>
         <NextSteps index={index} report={report} goTo={goTo} />
       </div>
     </div>

@@ -6,6 +6,7 @@ import { mainTrack } from "../../document/scene";
 import { formatDuration, lengthWithUnit } from "../../document/units";
 import type { Hurry } from "../../engine/api";
 import { Icon } from "../../theme/icons";
+import { Few } from "../few";
 import { useStudio } from "../studio";
 
 /** More would push the measures out of sight. */
@@ -23,13 +24,14 @@ export function HurryNote({ index, hurried }: { index: number; hurried: readonly
     <div class="note clash">
       <Icon node={TriangleAlert} />
       <div>
-        {worst.slice(0, MOST).map(({ agent, speed: needed, maxSpeed }) => (
-          <p key={agent}>
-            Agent {agentLabel(scene, agent)} moves at up to {speed(needed)} to arrive in time; its top speed is{" "}
-            {speed(maxSpeed)}.
-          </p>
-        ))}
-        {worst.length > MOST && <p>and {worst.length - MOST} more</p>}
+        <Few all={worst} most={MOST}>
+          {({ agent, speed: needed, maxSpeed }) => (
+            <p key={agent}>
+              Agent {agentLabel(scene, agent)} moves at up to {speed(needed)} to arrive in time; its top speed is{" "}
+              {speed(maxSpeed)}.
+            </p>
+          )}
+        </Few>
         {from && longest <= LIMITS.seconds && (
           <fieldset class="next-steps" aria-label="What may help">
             <button

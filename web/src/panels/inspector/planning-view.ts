@@ -1,7 +1,6 @@
 import type { Units } from "../../document/scene";
-import { lengthWithUnit } from "../../document/units";
 import type { EngineProblem, Planning, SegmentPlan } from "../../engine/api";
-import { closestOf } from "../closest";
+import { closestOf, closestWords } from "../closest";
 import { type Status, status } from "../status";
 
 /** What the inspector says of a transition's motion. */
@@ -27,11 +26,12 @@ export function planningView(planning: Planning | undefined, minimum: number, un
     case "failed":
       return { ...quiet, words: "Not planned", problem: planning.problem };
     case "ready": {
-      const closest = closestOf(planning.plan.report)?.distance ?? null;
+      const { report } = planning.plan;
+      const closest = closestOf(report);
       return {
         ...quiet,
-        status: status(closest, minimum),
-        words: closest === null ? "" : closest < 0 ? "inside" : lengthWithUnit(closest, units),
+        status: status(closest?.distance ?? null, minimum),
+        words: closest ? closestWords(report, closest, units) : "",
         plan: planning.plan,
       };
     }

@@ -5,6 +5,7 @@ import { agentLabel } from "../../document/queries";
 import type { Scene } from "../../document/scene";
 import { formatTime, lengthWithUnit } from "../../document/units";
 import type { Approach } from "../../engine/api";
+import { closestWords } from "../closest";
 import { useStudio } from "../studio";
 import { shortTime } from "./clock";
 import type { TransitionPlace } from "./layout";
@@ -43,7 +44,7 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
   const momentTime = closest?.time ?? 0;
   const momentOf = (time: number) => (scale.origin + time * scale.pixelsPerSecond - place.left - inset) / width;
   const moment = momentOf(momentTime);
-  const distance = closest && lengthWithUnit(Math.max(0, closest.distance), units);
+  const near = plan && closest && closestWords(plan.report, closest, units);
   const cut = inset + momentX(moment, width, 3.5);
   const was = before && inset + momentX(momentOf(before.time), width, 3.5);
   const method = plan ? METHOD_WORDS[plan.report.choice.method] : "";
@@ -65,7 +66,7 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
         type="button"
         class={progress === null ? `ribbon is-${status}` : `ribbon is-${status} is-planning`}
         aria-pressed={isSelected}
-        aria-label={description(names, state, method, distance, momentTime)}
+        aria-label={description(names, state, method, near)}
         aria-description={before ? beforeWords(document.scene.value, before) : undefined}
         data-tip={before ? beforeWords(document.scene.value, before) : undefined}
         onClick={(event) => {
@@ -88,8 +89,8 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
         {place.width >= ROOM_FOR_NUMBER && (
           <span ref={labels} class="ribbon-labels number">
             <span class="known">
-              {(place.width >= ROOM_FOR_METHOD || !distance) && <span>{method || words}</span>}
-              {distance && <span class="clearance">{distance}</span>}
+              {(place.width >= ROOM_FOR_METHOD || !near) && <span>{method || words}</span>}
+              {near && <span class="clearance">{near}</span>}
             </span>
             {progress !== null && plan && <span class="pending">{words}</span>}
           </span>
@@ -127,13 +128,12 @@ function useSeenPart({ left, width }: TransitionPlace, viewport: Viewport): Ref<
 
 function description(
   names: string,
-  { status, plan, words, progress }: TransitionState,
+  { status, plan, words, closest, progress }: TransitionState,
   method: string,
-  distance: string | null,
-  time: number,
+  near: string | null,
 ): string {
   if (!plan || progress !== null) return `Transition ${names}: ${words}`;
-  if (!distance) return `Transition ${names}: ${method}`;
-  const where = status === "holds" ? "" : ` at ${shortTime(Math.round(time * 10) / 10)}`;
-  return `Transition ${names}: ${method}, ${status}, clearance ${distance}${where}`;
+  if (!near || !closest) return `Transition ${names}: ${method}`;
+  const where = status === "holds" ? "" : ` at ${shortTime(Math.round(closest.time * 10) / 10)}`;
+  return `Transition ${names}: ${method}, ${status}, ${closest.distance > 0 ? "clearance " : ""}${near}${where}`;
 }
