@@ -63,7 +63,7 @@ test("what a transition cannot do is said in a sentence, and on the timeline in 
     const pillar = [{ kind: "circle", center: [0, 0], radius: 1 }];
     await look(studio, "Inside", show("Inside", [0.75, 0], [6, 0], "linear", { obstacles: pillar }));
     await expect(inspector).toContainText(
-      "1 stands 0.25 m inside Obstacle 1 in Keyframe 1. A keyframe is never changed: move them or the obstacle.",
+      "Agent 1 stands 0.25 m inside Obstacle 1 in Keyframe 1. A keyframe is never changed: move them or the obstacle.",
     );
     await expect(ribbon).toContainText("inside");
   });

@@ -50,9 +50,11 @@ export function AssignmentPart({ index, segment }: { index: number; segment: Seg
           }}
         />
       ) : (
-        <button type="button" class="button" onClick={() => choose(recipe.cost)}>
-          Who goes where
-        </button>
+        <div class="inspector-buttons">
+          <button type="button" class="button" onClick={() => choose(recipe.cost)}>
+            Who goes where
+          </button>
+        </div>
       )}
     </Section>
   );

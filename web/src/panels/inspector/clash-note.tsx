@@ -126,10 +126,10 @@ function Standing({ scene, segment, breach }: { scene: Scene; segment: number; b
   const index = segment + breach.end;
   const isInside = distance < 0;
   const near = `${lengthWithUnit(Math.abs(distance), scene.stage.units)} ${isInside ? "inside" : "from"}`;
-  const whom = "agent" in other ? agentLabel(scene, other.agent) : obstacleLabel(scene, other.obstacle);
+  const whom = "agent" in other ? `agent ${agentLabel(scene, other.agent)}` : obstacleLabel(scene, other.obstacle);
   return (
     <p>
-      {agentLabel(scene, agent)} stands {near} {whom} in{" "}
+      Agent {agentLabel(scene, agent)} stands {near} {whom} in{" "}
       <button
         type="button"
         class="link"
