@@ -25,7 +25,7 @@ test("who is absent is hollow, comes back, and a link keeps it", async ({ studio
   await page.keyboard.press("Escape");
 
   await studio.keyframes.first().click();
-  await expect(inspector.getByText(/^1 is absent here/)).toBeVisible();
+  await expect(inspector.getByText(/^Agent 1 is absent here/)).toBeVisible();
   await studio.planned();
   await inspector.getByRole("button", { name: "Bring all back" }).click();
   expect((await studio.sceneFile()).keyframes[0]?.absent).toBeUndefined();

@@ -13,10 +13,11 @@ export function AbsenceNote({ index }: { index: number }) {
   const scene = document.scene.value;
   const absent = mainTrack(scene).keyframes[index]?.absent ?? [];
   if (absent.length === 0) return null;
+  const labels = absent.map((agent) => agentLabel(scene, agent));
   const names =
     absent.length > MOST_LISTED
       ? `${formatCount(absent.length)} agents are`
-      : `${absent.map((agent) => agentLabel(scene, agent)).join(", ")} ${absent.length === 1 ? "is" : "are"}`;
+      : `${absent.length === 1 ? "Agent" : "Agents"} ${labels.join(", ")} ${absent.length === 1 ? "is" : "are"}`;
   return (
     <>
       <p class="inspector-text">
