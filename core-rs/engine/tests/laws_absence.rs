@@ -2,9 +2,10 @@
 
 use std::sync::Arc;
 
+use eigenform::assignment::{AssignmentSpec, Cost, Question, assign};
 use eigenform::choice::{Alignment, MethodName};
 use eigenform::formation::Formation;
-use eigenform::perform::{Performance, Performer, perform};
+use eigenform::perform::{ComparedWay, Comparison, ComparisonJob, ComparisonStep, Performance, Performer, Seats, perform};
 use eigenform::scene::{Scene, Segment, read_json, validate};
 use glam::DVec2;
 
@@ -162,4 +163,44 @@ fn an_empty_stage_is_none_the_worse() {
             performance.for_each_frame(|_, _, places| assert!(places.plan().iter().all(|place| place.is_finite())));
         }
     }
+}
+
+/// One transition compared, as text.
+fn compared(scene: &Scene, segment: usize, asked: Comparison) -> String {
+    let (mut performer, mut seats) = (Performer::default(), Seats::default());
+    let mut job = ComparisonJob::new(scene, segment, asked, &mut seats).expect("nothing is locked");
+    loop {
+        if let ComparisonStep::Done(mut compared) = job.step(&mut performer, &mut seats).expect("it can be performed") {
+            compared.cost = Cost::Keep;
+            return serde_json::to_string(&compared).expect("numbers are JSON");
+        }
+    }
+}
+
+#[test]
+fn compared_under_a_cost_who_takes_the_place_of_an_absent_agent_is_absent() {
+    let spec = AssignmentSpec { cost: Cost::Euclidean, ..Default::default() };
+    let mut others_are_gone = false;
+    for absent in [[&[][..], &[2], &[2, 5]], [&[6], &[7], &[7]], [&[1, 6], &[0, 6], &[]]] {
+        let scene = show(MethodName::Linear, absent);
+        for segment in [0, 1] {
+            let keyframes = &scene.main_track().keyframes;
+            let (source, target) = (&*keyframes[segment].positions, &*keyframes[segment + 1].positions);
+            let takes = assign(&Question { source, target, spec: &spec, sections: &[], is_flipped: false, is_predicted: false });
+            let takes = takes.expect("nothing is locked");
+            let mut taken = scene.clone();
+            for keyframe in &mut taken.tracks[0].keyframes[segment + 1..] {
+                keyframe.positions = Arc::new(keyframe.positions.only(takes.targets()));
+                keyframe.absent = (0..8).filter(|agent| keyframe.absent.contains(&takes.targets()[*agent as usize])).collect();
+            }
+            let gone = |scene: &Scene| scene.main_track().keyframes[segment + 1].absent.clone();
+            others_are_gone |= gone(&taken) != gone(&scene);
+            for name in ["linear", "spectral", "crowd", "social-force", "orca"] {
+                let asked = Comparison { way: ComparedWay::named(name).expect("a way"), cost: Cost::Euclidean, pace: None };
+                let kept = Comparison { cost: Cost::Keep, ..asked };
+                assert_eq!(compared(&scene, segment, asked), compared(&taken, segment, kept), "{name}, absent {absent:?}");
+            }
+        }
+    }
+    assert!(others_are_gone, "somebody takes the place of an absent agent");
 }

@@ -129,7 +129,13 @@ pub struct Compared {
 }
 
 /// Places given lately: ways under one cost share them.
-pub struct Seats(Recent<Question, Arc<Vec<Arc<Formation>>>>);
+pub struct Seats(Recent<Question, Arc<Seated>>);
+
+/// Who takes whose place, and where everybody stands then: from the target on, a keyframe each.
+struct Seated {
+    takes: Assignment,
+    formations: Vec<Arc<Formation>>,
+}
 
 /// Formations by identity.
 #[derive(Clone, Debug, PartialEq)]
@@ -174,7 +180,7 @@ impl ComparisonJob {
         if asked.cost != Cost::Keep {
             let question = Question::of(scene, segment, asked.cost);
             match seats.0.get(&question) {
-                Some(formations) => job.sit(&formations),
+                Some(seated) => job.sit(&seated),
                 None => job.seating = Some((question.begin(scene)?, question)),
             }
         }
@@ -189,10 +195,10 @@ impl ComparisonJob {
                 self.seating = Some((job, question));
                 return Ok(ComparisonStep::Progress(SEATING_SHARE * progress));
             }
-            let formations = question.answered(&job.into_assignment());
-            let bytes = formations.iter().map(|formation| 2 * size_of_val(formation.positions())).sum();
-            seats.0.put(question, formations.clone(), bytes);
-            self.sit(&formations);
+            let seated = Arc::new(question.answered(job.into_assignment()));
+            let bytes = seated.formations.iter().map(|formation| 2 * size_of_val(formation.positions())).sum();
+            seats.0.put(question, seated.clone(), bytes);
+            self.sit(&seated);
         }
         let Self { scene, segment, asked, moving, .. } = self;
         let job = moving.get_or_insert_with(|| asked.begin(scene, *segment, performer));
@@ -202,10 +208,12 @@ impl ComparisonJob {
         })
     }
 
-    /// From the target on everybody has the place that was found for them.
-    fn sit(&mut self, formations: &[Arc<Formation>]) {
-        for (keyframe, formation) in self.scene.tracks[0].keyframes.iter_mut().skip(self.segment + 1).zip(formations) {
+    /// From the target on everybody has the place that was found for them, and is absent where whoever had it was.
+    fn sit(&mut self, seated: &Seated) {
+        for (keyframe, formation) in self.scene.tracks[0].keyframes.iter_mut().skip(self.segment + 1).zip(&seated.formations) {
             keyframe.positions = formation.clone();
+            let is_absent = |slot: &u32| keyframe.absent.binary_search(slot).is_ok();
+            keyframe.absent = (0..).zip(seated.takes.targets()).filter(|(_, slot)| is_absent(slot)).map(|(agent, _)| agent).collect();
         }
     }
 }
@@ -266,8 +274,9 @@ impl Question {
         assignment::Job::around(&question, &scene.obstacle_shapes(), scene.minimum_distance)
     }
 
-    fn answered(&self, assignment: &Assignment) -> Arc<Vec<Arc<Formation>>> {
-        Arc::new(self.targets.iter().map(|target| Arc::new(target.0.only(assignment.targets()))).collect())
+    fn answered(&self, takes: Assignment) -> Seated {
+        let formations = self.targets.iter().map(|target| Arc::new(target.0.only(takes.targets()))).collect();
+        Seated { takes, formations }
     }
 }
 
