@@ -11,10 +11,15 @@ JSON: {\"eigenvalues\": [0, …], \"ties\": [[a, b, weight], …]}, eigenvalues 
 with --vectors also
   vectors           vectors[k][i] is agent i's entry in the unit mode of eigenvalues[k]; signs are arbitrary
   coefficients      coefficients[k] = [x, y], the sum over i of vectors[k][i] · position i, meters
-so that position i is the sum over k of vectors[k][i] · coefficients[k].
+so that position i is the sum over k of vectors[k][i] · coefficients[k]; with --next also, of keyframe K and the one after it
+  likeness          likeness[k][l] = |mode k · mode l of the next|, 0 to 1
+  pairs             {\"eigenvalue\": [l of k = 1, …], \"greedy\", \"maxmin\", \"hungarian\"}: the mode of the next that each order
+                    pairs with mode k; the constant mode 0 is left out of both, and whoever is absent at both keyframes
+  between           {\"t\": [0, …, 1], \"eigenvalues\": [[0, …], …]} of the graph that runs straight from one to the other
 
-Example:
-  eigenform modes show.eigenform.json --keyframe 0 --json --vectors")]
+Examples:
+  eigenform modes show.eigenform.json --keyframe 0 --json --vectors
+  eigenform modes show.eigenform.json --keyframe 0 --json --next")]
 pub struct Modes {
     #[command(flatten)]
     pub source: Source,
@@ -27,6 +32,9 @@ pub struct Modes {
     /// Also the modes and the formation's coefficients in them (with --json)
     #[arg(long, requires = "json")]
     pub vectors: bool,
+    /// Also how they become those of the keyframe after it (with --json)
+    #[arg(long, requires = "json")]
+    pub next: bool,
 }
 
 /// `assign`.

@@ -169,6 +169,32 @@ fn modes_of_a_square_are_those_of_the_cycle_of_four() {
 }
 
 #[test]
+fn modes_tell_how_they_become_those_of_the_next_keyframe() {
+    let desk = Desk::new();
+    let text = desk.answer(&["modes", "show.json", "--keyframe", "0", "--json", "--vectors", "--next"]);
+    let modes = parsed(&text);
+    // Two orthonormal bases of one space: every row and every column of squares adds up to one.
+    let likeness = |k: usize, l: usize| number(&modes["likeness"][k][l]).powi(2);
+    for k in 0..3 {
+        assert!(((0..3).map(|l| likeness(k, l)).sum::<f64>() - 1.0).abs() < 1e-12);
+        assert!(((0..3).map(|l| likeness(l, k)).sum::<f64>() - 1.0).abs() < 1e-12);
+    }
+    for order in ["eigenvalue", "greedy", "maxmin", "hungarian"] {
+        let mut paired: Vec<f64> = modes["pairs"][order].as_array().expect("a list").iter().map(number).collect();
+        paired.sort_by(f64::total_cmp);
+        assert_eq!(paired, [1.0, 2.0, 3.0], "{order}");
+    }
+    let between = &modes["between"];
+    assert_eq!((&between["t"][0], &between["t"][32]), (&json!(0.0), &json!(1.0)));
+    for (value, start) in between["eigenvalues"][0].as_array().expect("a list").iter().zip(modes["eigenvalues"].as_array().expect("a list"))
+    {
+        assert!((number(value) - number(start)).abs() < 1e-12);
+    }
+    let refused = desk.run(&["modes", "show.json", "--keyframe", "1", "--json", "--next"]);
+    assert_eq!((refused.code, refused.stderr.as_str()), (2, "error: usage: keyframe 1 is the last one; none comes after it (--next)\n"));
+}
+
+#[test]
 fn overrides_count_and_leave_the_rest() {
     let desk = Desk::new();
     let scene = desk.answer(&[
