@@ -15,6 +15,10 @@ const LENGTH_LIMIT: usize = 16_000_000;
 /// Straight ways looked at in a step, an obstacle at a time: some ten milliseconds in a browser.
 const STEP_LOOKS: usize = 1 << 18;
 
+/// The way of an agent to a slot bends nowhere, and there is none; else where it bends last. Bends are fewer.
+const STRAIGHT: u16 = u16::MAX;
+const NO_WAY: u16 = STRAIGHT - 1;
+
 /// The ways between everybody and every slot. A trait, so that a page whose agents go straight loads no code for it.
 pub(super) trait Terrain {
     /// Looks around for a moment; how far it is, 1 when everything below can be asked.
@@ -49,8 +53,8 @@ pub(super) struct Ground {
     detours: Detours,
     agents: Vec<Spot>,
     slots: Vec<Spot>,
-    /// By agent and slot: whether they see each other.
-    is_straight: Vec<bool>,
+    /// By agent and slot: where a way that is not [`STRAIGHT`] bends last, once all was looked at. Costs ask for it again and again.
+    last: Vec<u16>,
     /// By agent and bend, meters.
     lengths: Vec<f64>,
     looked: Looked,
@@ -85,7 +89,7 @@ impl Ground {
             detours,
             agents,
             slots,
-            is_straight: vec![],
+            last: vec![],
             lengths: vec![],
             looked: Looked::Straight(0),
         })
@@ -98,13 +102,13 @@ impl Ground {
             Looked::Straight(agent) if agent < count => {
                 let from = agents[agent].exit;
                 let sees = |slot: &Spot| from.zip(slot.exit).is_some_and(|(from, to)| detours.is_clear(from, to));
-                self.is_straight.extend(slots.iter().map(sees));
+                self.last.extend(slots.iter().map(|slot| if sees(slot) { STRAIGHT } else { NO_WAY }));
                 self.looked = Looked::Straight(agent + 1);
                 count
             }
             Looked::Straight(_) => {
                 // Nobody goes around anything when all see each other.
-                self.looked = if self.is_straight.contains(&false) { Looked::Bends } else { Looked::Done };
+                self.looked = if self.last.contains(&NO_WAY) { Looked::Bends } else { Looked::Done };
                 1
             }
             Looked::Bends => {
@@ -126,9 +130,22 @@ impl Ground {
                 let spot = &mut agents[agent];
                 spot.seen = spot.exit.map_or_else(Vec::new, |exit| detours.seen_from(exit));
                 let from = spot.exit.unwrap_or(spot.place);
-                self.lengths.extend(detours.from(from, &spot.seen, *norm).0);
+                let known = detours.from(from, &spot.seen, *norm).0;
+                let mut looks = 2 * bends;
+                for (slot, last) in slots.iter().zip(&mut self.last[agent * count..]).filter(|(_, last)| **last == NO_WAY) {
+                    let Some(end) = slot.exit else { continue };
+                    let mut least = f64::INFINITY;
+                    for &bend in &slot.seen {
+                        let length = known[bend as usize] + norm.of(end - detours.bend(bend));
+                        if length < least {
+                            (least, *last) = (length, bend as u16);
+                        }
+                    }
+                    looks += slot.seen.len();
+                }
+                self.lengths.extend(known);
                 self.looked = Looked::Agents(agent + 1);
-                2 * bends
+                looks
             }
             Looked::Agents(_) | Looked::Done => {
                 self.looked = Looked::Done;
@@ -137,21 +154,27 @@ impl Ground {
         }
     }
 
+    fn last_bend(&self, agent: u32, slot: u32) -> u16 {
+        self.last[agent as usize * self.slots.len() + slot as usize]
+    }
+
     /// How far a place is from where its ways begin.
     fn stub(&self, spot: &Spot) -> f64 {
         spot.exit.map_or(f64::INFINITY, |exit| self.norm.of(exit - spot.place))
     }
 
     fn length(&self, agent: u32, slot: u32) -> f64 {
-        let (agent, from, to) = (agent as usize, &self.agents[agent as usize], &self.slots[slot as usize]);
+        let (from, to) = (&self.agents[agent as usize], &self.slots[slot as usize]);
         let ends = self.stub(from) + self.stub(to);
         let (Some(start), Some(end)) = (from.exit, to.exit) else { return f64::INFINITY };
-        if self.is_straight[agent * self.slots.len() + slot as usize] {
-            return ends + self.norm.of(end - start);
+        ends + match self.last_bend(agent, slot) {
+            STRAIGHT => self.norm.of(end - start),
+            NO_WAY => f64::INFINITY,
+            last => {
+                let known = self.lengths[agent as usize * self.detours.bend_count() + last as usize];
+                known + self.norm.of(end - self.detours.bend(u32::from(last)))
+            }
         }
-        let known = &self.lengths[agent * self.detours.bend_count()..];
-        let around = |bend: &u32| known[*bend as usize] + self.norm.of(end - self.detours.bend(*bend));
-        ends + to.seen.iter().map(around).fold(f64::INFINITY, f64::min)
     }
 
     /// By agent and then by slot, a number that all have in common between which ways lead.
@@ -165,7 +188,7 @@ impl Ground {
         for agent in 0..count {
             let reached = self.lengths[agent * bends..][..bends].iter().enumerate().filter(|(_, length)| length.is_finite());
             reached.for_each(|(bend, _)| join(agent, 2 * count + bend));
-            let seen = self.is_straight[agent * count..][..count].iter().enumerate().filter(|(_, is_straight)| **is_straight);
+            let seen = self.last[agent * count..][..count].iter().enumerate().filter(|(_, last)| **last == STRAIGHT);
             seen.for_each(|(slot, _)| join(agent, count + slot));
         }
         for (slot, spot) in self.slots.iter().enumerate() {
@@ -200,8 +223,7 @@ impl Terrain for Ground {
     }
 
     fn parts(&self, agents: &[u32], slots: &[u32]) -> bool {
-        let sees = |agent: u32, slot: u32| self.is_straight[agent as usize * self.slots.len() + slot as usize];
-        agents.iter().any(|agent| slots.iter().any(|slot| !sees(*agent, *slot)))
+        agents.iter().any(|agent| slots.iter().any(|slot| self.last_bend(*agent, *slot) != STRAIGHT))
     }
 
     fn regions(&self, agents: &[u32], slots: &[u32]) -> Result<Vec<[Vec<u32>; 2]>, Error> {
@@ -233,12 +255,13 @@ impl Terrain for Ground {
         if end != to.place {
             way.push(end);
         }
-        if !self.is_straight[agent as usize * self.slots.len() + slot as usize] {
-            let (known, before) = self.detours.from(start, &from.seen, self.norm);
-            let length = |bend: u32| known[bend as usize] + self.norm.of(end - self.detours.bend(bend));
-            let nearest = to.seen.iter().copied().filter(|bend| length(*bend).is_finite());
-            let Some(last) = nearest.min_by(|a, b| length(*a).total_cmp(&length(*b))) else { return Vec::new() };
-            let mut next = Some(last);
+        let last = self.last_bend(agent, slot);
+        if last == NO_WAY {
+            return Vec::new();
+        }
+        if last != STRAIGHT {
+            let (_, before) = self.detours.from(start, &from.seen, self.norm);
+            let mut next = Some(u32::from(last));
             while let Some(bend) = next {
                 way.push(self.detours.bend(bend));
                 next = before[bend as usize];
