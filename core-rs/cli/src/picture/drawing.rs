@@ -30,7 +30,9 @@ pub fn draw(bytes: &[u8], name: &str) -> Result<Pixels, Failure> {
     let kinds = "this is no PNG, JPEG, WebP or SVG";
     let text = std::str::from_utf8(bytes).map_err(|_| broken(kinds.to_owned()))?;
     let options = ParsingOptions { allow_dtd: true, nodes_limit: ELEMENTS, ..ParsingOptions::default() };
-    let document = Document::parse_with_options(text, options).map_err(|error| broken(format!("{kinds}: {error}")))?;
+    let is_drawing = text.trim_start_matches('\u{feff}').trim_start().starts_with('<');
+    let unread = |error| if is_drawing { format!("the SVG cannot be read; it may be cut short: {error}") } else { kinds.to_owned() };
+    let document = Document::parse_with_options(text, options).map_err(|error| broken(unread(error)))?;
     if let Some(what) = document.descendants().find_map(unwelcome) {
         return Err(refused("active-svg", format!("this SVG {what}"), name));
     }

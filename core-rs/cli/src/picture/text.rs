@@ -16,8 +16,11 @@ const LEADING: f32 = 1.2;
 /// Pixels of text; it stands in the font named, or in one that has all its characters.
 pub fn write(text: &str, font: Option<&str>) -> Result<Pixels, Failure> {
     let length = text.chars().count();
-    if text.trim().is_empty() || length > CHARACTERS {
-        return Err(refused("no-text", format!("{length} characters; a text has 1 to {CHARACTERS} that can be seen"), "the text"));
+    if text.trim().is_empty() {
+        return Err(refused("no-text", "nothing of this text can be seen; give letters, or the name of a picture", "the text"));
+    }
+    if length > CHARACTERS {
+        return Err(refused("no-text", format!("{length} characters; a text has at most {CHARACTERS}"), "the text"));
     }
     let mut fonts = Database::new();
     fonts.load_system_fonts();

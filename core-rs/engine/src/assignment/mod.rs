@@ -51,7 +51,8 @@ impl Assignment {
 
     /// The sum of `cost(source, target)` over all slots.
     pub fn total(&self, cost: impl Fn(usize, usize) -> f64) -> f64 {
-        self.0.iter().enumerate().map(|(source, &target)| cost(source, target as usize)).sum()
+        // A sum of nothing would be −0.
+        self.0.iter().enumerate().map(|(source, &target)| cost(source, target as usize)).fold(0.0, |sum, cost| sum + cost)
     }
 }
 

@@ -132,7 +132,8 @@ pub fn measure(motion: &Motion, ts: &[f64], graphs: [&Adjacency; 2], minimum_dis
 
 fn extreme(values: &[f64]) -> Extreme {
     let count = values.len().max(1) as f64;
-    Extreme { mean: values.iter().sum::<f64>() / count, max: values.iter().copied().fold(0.0, f64::max) }
+    // A sum of nothing would be −0.
+    Extreme { mean: (0.0 + values.iter().sum::<f64>()) / count, max: values.iter().copied().fold(0.0, f64::max) }
 }
 
 fn rms_radii(motion: &Motion) -> Range {

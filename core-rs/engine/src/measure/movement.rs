@@ -145,7 +145,8 @@ fn deviation(values: &[f64]) -> f64 {
     let count = values.len().max(1) as f64;
     let finite = || values.iter().filter(|value| value.is_finite());
     let mean = finite().sum::<f64>() / count;
-    (finite().map(|value| (value - mean) * (value - mean)).sum::<f64>() / count).sqrt()
+    // A sum of nothing would be −0.
+    ((0.0 + finite().map(|value| (value - mean) * (value - mean)).sum::<f64>()) / count).sqrt()
 }
 
 fn target_deviations(motion: &Motion, samples: &[usize], target: &Formation) -> Vec<f64> {

@@ -15,7 +15,7 @@ export async function picturePixels(file: File): Promise<Pixels> {
     throw new NoPixels(`${file.name} is too large; ${isSvg ? "an SVG may have 8" : "a picture may have 64"} MiB.`);
   }
   const refusal = isSvg ? svgRefusal(await file.text()) : null;
-  if (refusal) throw new NoPixels(`${file.name} ${refusal}. Only shapes are drawn.`);
+  if (refusal) throw new NoPixels(`${file.name} ${refusal}`);
   // A picture is told by its bytes, whichever kind it is said to be; a drawing is not.
   const type = isSvg ? "image/svg+xml" : file.type || "image/png";
   const url = await addressOf(new Blob([file], { type }));

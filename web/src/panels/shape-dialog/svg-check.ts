@@ -9,11 +9,19 @@ const UNWELCOME: Readonly<Record<string, string>> = {
   animate: "moves",
 };
 
-/** Why an SVG is not drawn; null for one that is only shapes. It is parsed as data: nothing in it runs or is fetched. */
+/**
+ * Why an SVG is not drawn, in words that follow its name; null for one that is only shapes. It is parsed as data: nothing in
+ * it runs or is fetched.
+ */
 export function svgRefusal(text: string): string | null {
   const parsed = new DOMParser().parseFromString(text, "image/svg+xml");
-  if (parsed.querySelector("parsererror") || parsed.documentElement.localName !== "svg")
-    return "is no SVG that can be read";
+  if (parsed.querySelector("parsererror")) return "cannot be read; it may be cut short.";
+  if (parsed.documentElement.localName !== "svg") return "is no SVG.";
+  const what = unwelcomeIn(parsed);
+  return what && `${what}. Only shapes are drawn.`;
+}
+
+function unwelcomeIn(parsed: Document): string | null {
   for (const element of parsed.querySelectorAll("*")) {
     const why = UNWELCOME[element.localName.toLowerCase()];
     if (why) return why;
