@@ -52,6 +52,34 @@ test("a figure's pair opens in the comparison, and its numbers say what the figu
   await expect(length.nth(1)).toContainText("better");
 });
 
+test("a figure of three costs opens with all three in step, and its table at once", async ({ studio, page }) => {
+  await studio.openFirst();
+  await studio.button("Examples").click();
+  const title = "Who goes where, by three costs";
+  await studio.dialog.getByRole("button", { name: `Compare all ways: ${title}` }).click();
+  const structure = page.getByRole("table", { name: "Measures of all ways" }).getByRole("row", { name: /^Distortion/ });
+  await expect(structure.getByRole("cell").first()).toContainText("better");
+  await page.keyboard.press("Escape");
+
+  await studio.button("Examples").click();
+  await studio.dialog.getByRole("button", { name: `Table and plots: ${title}` }).click();
+  await expect(page.getByRole("combobox", { name: "What to compare" })).toHaveValue("costs");
+  const rows = studio.dialog.getByRole("table").getByRole("row");
+  await expect(rows).toHaveCount(4);
+  for (const cost of ["Least effort", "Euclidean", "Manhattan"]) {
+    await expect(rows.filter({ hasText: cost })).toContainText(/\d\.\d/);
+  }
+  await expect(studio.dialog.getByRole("figure", { name: "Effort σ" })).toBeVisible();
+});
+
+test("a figure of others opens with them beside ours", async ({ studio, page }) => {
+  await studio.openFirst();
+  await studio.button("Examples").click();
+  await studio.dialog.getByRole("button", { name: "Compare side by side: A crowd and what others do" }).click();
+  for (const name of ["First", "Second", "Third"]) await expect(page.getByRole("group", { name })).toBeVisible();
+  await expect(page.getByRole("row", { name: /^Missed by/ })).toContainText(/\d/);
+});
+
 test("a figure of modes opens with them beside it", async ({ studio, page }) => {
   await studio.openFirst();
   await studio.button("Examples").click();

@@ -15,17 +15,18 @@ const COLORS = ["#c64f36", "#2d48cc", "#b98800", "#07875b", "#e85fa8", "#1399e4"
  * A crowd that goes from picture to picture: everybody where the sum of squared ways is least, in groups of those who stay
  * together throughout, moved by social forces along straight ways.
  *
- * @param {{ pictures: { name: string, places: [number, number][], turn?: number, way?: object }[] }} crowd `turn`: how far all wheel
- *   on the way there, degrees; `way`: what else the transition there is told
+ * @param {{ pictures: { name: string, places: [number, number][], turn?: number, isInOrder?: boolean, way?: object }[] }} crowd
+ *   `turn`: how far all wheel on the way there, degrees; `isInOrder`: the places are given by agent; `way`: what else the transition
+ *   there is told; `groupedBy`: in how many of the pictures, from the first, groups stay together
  */
-export function crowdShow({ pictures, groupCount, seconds, ...scene }) {
+export function crowdShow({ pictures, groupCount, groupedBy = pictures.length, seconds, ...scene }) {
   let before = null;
-  const formations = pictures.map(({ places, turn = 0 }) => {
-    before = before ? match(turned(before, turn), places) : places;
+  const formations = pictures.map(({ places, turn = 0, isInOrder = false }) => {
+    before = before && !isInOrder ? match(turned(before, turn), places) : places;
     return before;
   });
   const count = formations[0].length;
-  const groups = together(formations, [...formations[0].keys()], [groupCount]);
+  const groups = together(formations.slice(0, groupedBy), [...formations[0].keys()], [groupCount]);
   const sections = groups.map((agents, index) => ({
     name: `Group ${index + 1}`,
     count: agents.length,

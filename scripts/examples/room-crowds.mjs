@@ -2,6 +2,7 @@ import { alongACurve } from "./along-a-curve.mjs";
 import { apeToHuman } from "./ape-to-human.mjs";
 import { roundAnObstacle, twoGroupsCrossing } from "./around.mjs";
 import { bird } from "./bird.mjs";
+import { besideOthers, threeCosts } from "./compared.mjs";
 import { feedback } from "./feedback.mjs";
 import { fighters } from "./fighters.mjs";
 import { martialArts } from "./martial-arts.mjs";
@@ -15,7 +16,9 @@ export const CROWDS = {
   fighters: { make: fighters, cover: 1 },
   "along-a-curve": { make: alongACurve, cover: 0 },
   "ape-to-human": { make: apeToHuman, cover: 0 },
-  "two-groups-crossing": { make: twoGroupsCrossing, cover: 0 },
-  feedback: { make: feedback, cover: 2 },
   "round-an-obstacle": { make: roundAnObstacle, cover: 0 },
+  "two-groups-crossing": { make: twoGroupsCrossing, cover: 0 },
+  "three-costs": { make: threeCosts, cover: 4 },
+  feedback: { make: feedback, cover: 2 },
+  "beside-others": { make: besideOthers, cover: 0 },
 };

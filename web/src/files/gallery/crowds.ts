@@ -45,6 +45,14 @@ export const CROWDS: readonly ExampleCard[] = [
     keyframeCount: 3,
   },
   {
+    id: "round-an-obstacle",
+    title: "Round an obstacle",
+    description:
+      "Figure 8: a block opens about a fountain and closes, rings a stage, and walks back past both as a crowd",
+    agentCount: 36,
+    keyframeCount: 4,
+  },
+  {
     id: "two-groups-crossing",
     title: "Two groups crossing",
     description: "Figure 9: two blocks go through each other at right angles, then end-on, and are whole again",
@@ -52,18 +60,27 @@ export const CROWDS: readonly ExampleCard[] = [
     keyframeCount: 4,
   },
   {
+    id: "three-costs",
+    title: "Who goes where, by three costs",
+    description: "Figures 10 and 11, table 2: least effort keeps neighbors together, plain distances mix them",
+    agentCount: 110,
+    keyframeCount: 6,
+    view: { kind: "compare", segments: [0, 2, 4], table: "costs" },
+  },
+  {
     id: "feedback",
     title: "Feedback, off and on",
     description: "Figure 12: sharing direction and speed with who is near, places tell less of directions",
     agentCount: 300,
     keyframeCount: 4,
-    view: { kind: "compare", segments: [0, 2] },
+    view: { kind: "compare", segments: [0, 2], table: "feedback" },
   },
   {
-    id: "round-an-obstacle",
-    title: "Round an obstacle",
-    description: "A block opens about a fountain and closes, rings a stage, and walks back past both as a crowd",
-    agentCount: 36,
-    keyframeCount: 4,
+    id: "beside-others",
+    title: "A crowd and what others do",
+    description: "Figures 13 and 14, table 3: ours beside social forces alone and ORCA, between the same formations",
+    agentCount: 110,
+    keyframeCount: 2,
+    view: { kind: "compare", segments: [0, 0], preset: "others", table: "others" },
   },
 ];

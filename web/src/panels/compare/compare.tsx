@@ -30,9 +30,9 @@ export function CompareDialog({ request, dialogs }: DialogProps<Comparison>) {
     playback.pause();
     return startingSides(scene, request.segments ?? [hand, hand]);
   });
-  const [view, setView] = useState<View>("sides");
+  const [view, setView] = useState<View>(request.isTable ? "run" : "sides");
   const scene = document.scene.value;
-  const index = sides?.[0].segment ?? 0;
+  const index = sides?.[0]?.segment ?? 0;
   return (
     <Frame
       title="Compare methods"
@@ -45,7 +45,11 @@ export function CompareDialog({ request, dialogs }: DialogProps<Comparison>) {
           <div class="compare-view">
             <Segmented label="View" value={view} choices={VIEWS} onChoose={(chosen) => setView(chosen)} />
           </div>
-          {view === "sides" ? <Sides first={sides} onDone={dialogs.close} /> : <RunView segment={index} />}
+          {view === "sides" ? (
+            <Sides first={sides} preset={request.preset} onDone={dialogs.close} />
+          ) : (
+            <RunView segment={index} preset={request.table} />
+          )}
         </>
       ) : (
         <p class="dialog-text">There is no transition to compare yet. Add a second keyframe first.</p>

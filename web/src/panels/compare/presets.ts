@@ -66,9 +66,13 @@ export function presetsFor(scene: Scene): readonly Preset[] {
       ways: [CROWD, HEEDLESS].map((options) => ({ options, cost: "least-effort" })),
     },
     {
-      id: "orca",
-      label: "A crowd and ORCA (crowds, figure 14)",
-      ways: ([null, "orca"] as const).map((counterpart) => ({ options: CROWD, cost: "least-effort", counterpart })),
+      id: "others",
+      label: "A crowd and what others do (crowds, figure 14)",
+      ways: ([null, "social-force", "orca"] as const).map((counterpart) => ({
+        options: CROWD,
+        cost: "least-effort",
+        counterpart,
+      })),
     },
   ];
 }

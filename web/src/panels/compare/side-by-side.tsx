@@ -27,8 +27,15 @@ const EDGES: Padding = { left: 40, right: 40, top: 40, bottom: 40 };
 const PAIR = ["Left", "Right"];
 const SEVERAL = ["First", "Second", "Third", "Fourth"];
 
+export interface SidesProps {
+  readonly first: readonly Side[];
+  /** The known comparison to begin with. */
+  readonly preset: string | undefined;
+  onDone(): void;
+}
+
 /** All ways with one camera, one playhead, and a table of their numbers. */
-export function Sides({ first, onDone }: { first: readonly Side[]; onDone(): void }) {
+export function Sides({ first, preset: begun, onDone }: SidesProps) {
   const { document, engine, messages } = useStudio();
   const scene = document.scene.value;
   const [sides, setSides] = useState(first);
@@ -83,6 +90,10 @@ export function Sides({ first, onDone }: { first: readonly Side[]; onDone(): voi
     setPreset(OWN_CHOICE);
     setSides((now) => now.map((other, at) => (at === index ? { ...other, seating } : other)));
   }
+
+  useEffect(() => {
+    if (begun) void choose(begun);
+  }, []);
 
   function use(side: Side, name: string): void {
     document.perform(takeOver(side));

@@ -45,6 +45,14 @@ describe("what is planned for a side", () => {
   });
 });
 
+test("each transition is a side as it is, one that comes again goes another way, and one that is not there is none", () => {
+  const scene = show();
+  const specs = mainTrack(scene).segments;
+  expect(startingSides(scene, [0, 1, 2])?.map(({ spec }) => spec)).toEqual(specs);
+  expect(startingSides(scene, [1, 1])?.map(({ spec }) => spec.method)).toEqual([specs[1]?.method, "linear"]);
+  expect(startingSides(scene, [0, 3])).toBeNull();
+});
+
 test("where motion runs through the keyframes, a trial has the neighbors that shape it", () => {
   const scene = { ...show(), join: "smooth" as const };
   const [left, right] = startingSides(scene, [0, 2]) ?? [];

@@ -12,17 +12,17 @@ export function transitionAtHand(scene: Scene, selection: Selection, time: numbe
 }
 
 /**
- * Two transitions as they are; or one of them twice: as it is, and the way everybody knows, or, where it goes that way
- * already, as the eigenbases do.
+ * Transitions as they are; one that comes again, the way everybody knows, or, where it goes that way already, as the
+ * eigenbases do. Null where one is not there.
  */
-export function startingSides(scene: Scene, [left, right]: readonly [number, number]): readonly [Side, Side] | null {
+export function startingSides(scene: Scene, which: readonly number[]): readonly Side[] | null {
   const { segments } = mainTrack(scene);
-  const [a, b] = [segments[left], segments[right]];
-  if (!a || !b) return null;
-  const other =
-    left === right ? ({ ...b, method: a.method === "linear" ? "spectral" : "linear", chosen: null } as const) : b;
-  return [
-    { segment: left, spec: a, ties: "own", seating: null, counterpart: null },
-    { segment: right, spec: other, ties: "own", seating: null, counterpart: null },
-  ];
+  const sides = which.flatMap((segment, index): Side[] => {
+    const own = segments[segment];
+    if (!own) return [];
+    const other = { ...own, method: own.method === "linear" ? "spectral" : "linear", chosen: null } as const;
+    const spec = which.indexOf(segment) < index ? other : own;
+    return [{ segment, spec, ties: "own", seating: null, counterpart: null }];
+  });
+  return sides.length === which.length ? sides : null;
 }

@@ -22,10 +22,17 @@ export interface ProblemDetails {
   readonly details: readonly string[];
 }
 
-/** Two ways side by side: the transition at hand, or two transitions between the same formations. */
+/** Ways side by side or in a table: the transition at hand, or transitions between the same formations. */
 export interface Comparison {
   readonly kind: "compare";
-  readonly segments: readonly [left: number, right: number] | null;
+  /** Two at least, which may be one twice; null: whichever is at hand. */
+  readonly segments: readonly number[] | null;
+  /** What is tried side by side first; absent: the transitions as they are. */
+  readonly preset?: string;
+  /** What the table is of first; absent: all methods. */
+  readonly table?: string;
+  /** It opens with the table. */
+  readonly isTable?: boolean;
 }
 
 /** A formation from a picture, text or a path; the picture, when it came with the wish. */

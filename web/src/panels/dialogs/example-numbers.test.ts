@@ -22,6 +22,15 @@ test("two ways side by side say both of theirs", () => {
   );
 });
 
+test("three ways say each of theirs, and what is tried otherwise says those of the show", () => {
+  expect(numbersOf(PREVIEW, { kind: "compare", segments: [0, 1, 2] })).toBe(
+    "Nearest 0.03, then 2.00, then 1.21 m; distortion 0.48, then 0.06, then 0.05",
+  );
+  expect(numbersOf(PREVIEW, { kind: "compare", segments: [0, 0], preset: "others" })).toBe(
+    numbersOf(PREVIEW, undefined),
+  );
+});
+
 test("what has no motion yet has no numbers", () => {
   expect(numbersOf({ ...PREVIEW, leastDistances: [], distortions: [] }, { kind: "recording" })).toBe("");
 });

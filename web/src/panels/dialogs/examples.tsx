@@ -14,7 +14,7 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
 
   const sections = examples.kind === "here" ? examples.value : [];
 
-  async function open(example: ExampleCard, view?: ExampleView): Promise<void> {
+  async function open(example: ExampleCard, view?: OpenedView): Promise<void> {
     dialogs.close();
     const isOpen = await services.openExample(example);
     if (!isOpen || !view) return;
@@ -59,16 +59,17 @@ export function ExamplesDialog({ services, dialogs }: DialogProps) {
                   loadPreview={services.loadPreview}
                   onOpen={() => void open(example)}
                 />
-                {example.view && example.view.kind !== "recording" && (
+                {waysIn(example).map(({ words, view }) => (
                   <button
+                    key={words}
                     type="button"
                     class="button example-view"
-                    aria-label={`${VIEW_WORDS[example.view.kind]}: ${example.title}`}
-                    onClick={() => void open(example, example.view)}
+                    aria-label={`${words}: ${example.title}`}
+                    onClick={() => void open(example, view)}
                   >
-                    {VIEW_WORDS[example.view.kind]}
+                    {words}
                   </button>
-                )}
+                ))}
               </li>
             ))}
           </ul>
@@ -85,7 +86,18 @@ function goTo(link: HTMLElement, title: string): void {
   section?.querySelector<HTMLElement>(".example")?.focus({ preventScroll: true });
 }
 
-const VIEW_WORDS: Readonly<Record<Exclude<ExampleView["kind"], "recording">, string>> = {
-  compare: "Compare both ways",
-  modes: "See its modes",
-};
+/** A view as it is opened: of a comparison, with the ways beside each other or with the table. */
+type OpenedView = ExampleView & { readonly isTable?: boolean };
+
+/** What an example can be opened with at once, beside being played. */
+function waysIn({ view }: ExampleCard): readonly { readonly words: string; readonly view: OpenedView }[] {
+  if (view?.kind === "modes") return [{ words: "See its modes", view }];
+  if (view?.kind !== "compare") return [];
+  const sides = view.preset
+    ? "Compare side by side"
+    : view.segments.length > 2
+      ? "Compare all ways"
+      : "Compare both ways";
+  const table = { words: "Table and plots", view: { ...view, isTable: true } };
+  return [{ words: sides, view }, ...(view.table ? [table] : [])];
+}

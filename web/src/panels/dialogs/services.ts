@@ -2,8 +2,13 @@ import type { Scene } from "../../document/scene";
 
 /** What an example is best looked at with, beside being played. */
 export type ExampleView =
-  /** Two of its transitions, which do the same in two ways. */
-  | { readonly kind: "compare"; readonly segments: readonly [left: number, right: number] }
+  /** Transitions of it that do the same in several ways, or one twice for a known comparison; and what a table tells of them. */
+  | {
+      readonly kind: "compare";
+      readonly segments: readonly number[];
+      readonly preset?: string;
+      readonly table?: string;
+    }
   /** The modes at both ends of one of its transitions. */
   | { readonly kind: "modes"; readonly segment: number }
   /** It is no scene yet but a recording to make one from. */

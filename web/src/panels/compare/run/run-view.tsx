@@ -31,10 +31,10 @@ const PLOTS: readonly { readonly curve: CurveName; readonly title: string; reado
 ];
 
 /** A transition in as many ways as a person asks for: their numbers as a table, and over time. */
-export function RunView({ segment }: { segment: number }) {
+export function RunView({ segment, preset }: { segment: number; preset: string | undefined }) {
   const { document, messages } = useStudio();
   const { units } = document.scene.value.stage;
-  const { setting, change, rows, outcomes, isWorking, goOn, stop } = useRun(segment);
+  const { setting, change, rows, outcomes, isWorking, goOn, stop } = useRun(segment, preset);
   const columns = columnsFor(units).filter(
     (column) =>
       column.label !== "Missed by" ||
@@ -141,12 +141,13 @@ function curveOf({ way, line }: RunRow, outcome: Outcome | undefined, name: Curv
 }
 
 /** What is asked for, and what is known of it: anew when the scene is another. */
-function useRun(segment: number) {
+function useRun(segment: number, preset: string | undefined) {
   const { document } = useStudio();
   const scene = document.scene.value;
   const solo = useSolo();
   const [setting, setSetting] = useState<RunSetting>(() => {
-    const [{ ways, costs, isFree } = { ways: [], costs: [], isFree: false }] = RUN_PRESETS;
+    const begun = RUN_PRESETS.find(({ id }) => id === preset) ?? RUN_PRESETS[0];
+    const { ways, costs, isFree } = begun ?? { ways: [], costs: [], isFree: false };
     return {
       ways,
       costs,
