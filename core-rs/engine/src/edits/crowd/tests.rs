@@ -126,6 +126,25 @@ fn who_cannot_arrive_at_its_top_speed_goes_as_fast_as_need_be_and_who_can_keeps_
 }
 
 #[test]
+fn who_hurries_is_never_faster_than_the_way_left_asks_for_whoever_is_in_the_way() {
+    let guide = crossing();
+    let limits: Vec<f64> = (0..16).map(|agent| if agent % 3 == 0 { 0.4 } else { f64::INFINITY }).collect();
+    let motion = led(CrowdRules { top_speed: limits.clone(), ..rules(16) }, &guide).motion;
+    let (times, last) = (motion.times(), motion.times().len() - 1);
+    // Until the last second leads back onto the guide; two fifths of that are what they have to be there in.
+    for k in (1..=last).take_while(|k| times[last] - times[k - 1] > 1.0 + 1e-9) {
+        for agent in (0..16).filter(|agent| limits[*agent].is_finite()) {
+            let speed = motion.sample(k)[agent].distance(motion.sample(k - 1)[agent]) / (times[k] - times[k - 1]);
+            let left = motion.sample(k - 1)[agent].distance(guide.sample(last)[agent]) / (times[last] - times[k - 1] - 0.6);
+            // Edits see guides in grains of 2⁻²⁰ m: at most half of one along each axis, here and at the sample before, in a thirtieth of
+            // a second.
+            let grain = 30.0 * 2.0_f64.sqrt() * 2.0_f64.powi(-20);
+            assert!(speed <= limits[agent].max(left) + 2.0 * grain, "{agent} at {k}: {speed} m/s, {left} m/s");
+        }
+    }
+}
+
+#[test]
 fn plain_forces_leave_agents_where_they_are_and_say_how_far_that_is() {
     let guide = crossing();
     let plain = CrowdRules { aim: Aim::Target, ending: Ending::AsItComes, waits: true, ..rules(16) };
