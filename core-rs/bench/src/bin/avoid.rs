@@ -74,8 +74,14 @@ fn options() -> Options {
 }
 
 fn judge(name: &str, guide: &Motion, options: &Options, tally: &mut Tally) {
-    let avoidance =
-        Avoidance { minimum_distance: options.distance, is_clamped: [false; 2], seed: 0, obstacles: Vec::new(), holds: Vec::new() };
+    let avoidance = Avoidance {
+        minimum_distance: options.distance,
+        is_clamped: [false; 2],
+        seed: 0,
+        obstacles: Vec::new(),
+        holds: Vec::new(),
+        groups: Vec::new(),
+    };
     let is_still = guide.times().len() < 2 || guide.sample(0) == guide.sample(guide.times().len() - 1);
     if is_still {
         tally.still += 1;

@@ -8,6 +8,7 @@ use serde::Serialize;
 pub use suggest::Suggestion;
 
 use super::brief::Brief;
+use super::innermost::innermost_groups;
 use super::tied;
 use crate::choice::Choice;
 use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, Outline, ShutOff, judge};
@@ -138,6 +139,7 @@ pub(super) fn avoidance(brief: &Brief, chain: &Chain, guide: &Motion) -> Avoidan
         seed: brief.seed,
         obstacles: brief.outlines(),
         holds: tied::holds(guide, chain, &brief.obstacles, brief.minimum_distance),
+        groups: if brief.obstacles.is_empty() { Vec::new() } else { innermost_groups(&brief.groups, guide.agent_count()) },
     }
 }
 

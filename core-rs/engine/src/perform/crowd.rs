@@ -5,11 +5,11 @@ use serde::Serialize;
 use super::brief::Brief;
 use super::counterpart::Counterpart;
 use super::hurry::Hurry;
+use super::innermost::innermost_groups;
 use crate::COMPARES;
 use crate::edits::{Aim, CrowdJob, CrowdRules, CrowdStep, Deviation, Ending, Feedback, Led, NO_GROUP};
 use crate::measure::Extreme;
 use crate::motion::Motion;
-use crate::scene::Group;
 
 /// A crowd's guide keeps this far from obstacles at least, meters: the body of a person.
 const LEAST_CLEARANCE: f64 = 0.25;
@@ -118,22 +118,6 @@ fn radii(brief: &Brief, guide: &Motion) -> Vec<f64> {
     bodies.collect()
 }
 
-/// By agent the group whose own member it is, numbered from 0 in the order of the tree.
-fn innermost_groups(groups: &[Group], agent_count: usize) -> Vec<u32> {
-    fn number(groups: &[Group], next: &mut u32, of_agent: &mut [u32]) {
-        for group in groups {
-            for agent in &group.members {
-                of_agent[*agent as usize] = *next;
-            }
-            *next += 1;
-            number(&group.children, next, of_agent);
-        }
-    }
-    let mut of_agent = vec![NO_GROUP; agent_count];
-    number(groups, &mut 0, &mut of_agent);
-    of_agent
-}
-
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
@@ -220,11 +204,6 @@ mod tests {
         }
         let stranded = plain.motion.sample(last).iter().zip(targets).map(|(at, due)| at.distance(*due)).fold(0.0, f64::max);
         assert!((stranded - plain.crowded.as_ref().expect("forces led").arrival_error.max).abs() < 1e-9);
-    }
-
-    #[test]
-    fn subgroups_are_the_innermost_groups() {
-        assert_eq!(innermost_groups(&show().groups, 9), [0, 0, 0, 0, 2, 2, 1, 3, NO_GROUP]);
     }
 
     #[test]

@@ -15,6 +15,7 @@ mod crowd;
 mod free;
 mod graphs;
 mod hurry;
+mod innermost;
 mod job;
 mod levels;
 mod modes;

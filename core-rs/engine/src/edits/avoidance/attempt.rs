@@ -5,7 +5,7 @@ use eigenform_apart::Paths;
 use super::breaches::{Breach, Other};
 use super::obstacles::Blocked;
 use super::problem::Problem;
-use super::sampling::moved;
+use super::sampling::{lengths, moved};
 use super::shut::ShutOff;
 use super::{AvoidanceReport, Edited, SLACK, is_among};
 use crate::edits::deviation::Deviation;
@@ -29,7 +29,8 @@ impl Attempt {
         let motion = moved(&problem.guide, &deviation);
         let clashes = clashes(&motion, problem.avoidance.minimum_distance - SLACK);
         let blocked = problem.avoidance.blocked(&motion, SLACK);
-        let open_count = open_count(&clashes, &problem.breaches, &motion) + free_count(&blocked, &problem.breaches, &problem.shut_off);
+        let open_count =
+            open_count(&clashes, &problem.breaches, &motion) + free_count(&blocked, &problem.breaches, &problem.shut_off);
         Self { rung, deviation, motion, clashes, blocked, open_count }
     }
 
@@ -49,17 +50,7 @@ impl Attempt {
 
     /// Mean and greatest length of the deviation, meters.
     pub(super) fn deviation_lengths(&self) -> [f64; 2] {
-        let deviation = &self.deviation;
-        let (mut sum, mut greatest): (f64, f64) = (0.0, 0.0);
-        for agent in 0..deviation.agent_count() {
-            for k in 0..deviation.knot_count() {
-                let [x, y, z] = deviation.place(agent, k);
-                let length = (x * x + y * y + z * z).sqrt();
-                sum += length;
-                greatest = greatest.max(length);
-            }
-        }
-        [sum / (deviation.agent_count() * deviation.knot_count()).max(1) as f64, greatest]
+        lengths(&self.deviation)
     }
 }
 

@@ -49,7 +49,7 @@ impl Climb {
         let knot_count = rung.knot_count(*ways, avoidance.minimum_distance, guide.times().len());
         let mut paths = at_knots(guide, knot_count);
         if !avoidance.obstacles.is_empty() {
-            reroute(&mut paths, avoidance, rung.may_split, |agent| is_among(shut_off, agent));
+            reroute(&mut paths, avoidance, rung.parting, |agent| is_among(shut_off, agent));
         }
         warp(&mut paths);
         let kernel = rung.kernel(*ways, avoidance, knot_count);

@@ -3,6 +3,7 @@
 use super::attempt::Attempt;
 use super::climb::{Climb, ClimbStep};
 use super::problem::Problem;
+use super::reroute::Parting;
 use super::rungs::{Bend, RUNGS};
 use super::streams::Streams;
 use super::warp::{is_sane, stuck, swirl};
@@ -116,10 +117,11 @@ impl AvoidanceJob {
         }
     }
 
-    /// Whether nobody is too near, and where streams may still open, nobody has to run.
-    fn is_good_enough(&self) -> bool {
+    /// Whether nobody is too near, and nobody has to run or go far astray where streams may still open, or a group part.
+    fn is_good_enough(&self, problem: &Problem) -> bool {
         let may_open = self.streams.is_some() && RUNGS[self.rung..].iter().any(|rung| matches!(rung.bend, Bend::Open(_)));
-        self.best.as_ref().is_some_and(|best| best.attempt.open_count == 0 && !(best.is_hasty && may_open))
+        let may_part = problem.avoidance.has_groups() && RUNGS[self.rung - 1].parting != Parting::Groups;
+        self.best.as_ref().is_some_and(|best| best.attempt.open_count == 0 && !(best.is_hasty && (may_open || may_part)))
     }
 
     fn end_rung(&mut self, problem: Problem) -> AvoidanceStep {
@@ -127,7 +129,7 @@ impl AvoidanceJob {
         while self.streams.is_none() && RUNGS.get(self.rung).is_some_and(|rung| matches!(rung.bend, Bend::Open(_))) {
             self.rung += 1;
         }
-        if self.rung < RUNGS.len() && !self.is_good_enough() {
+        if self.rung < RUNGS.len() && !self.is_good_enough(&problem) {
             self.start_rung(problem);
             return self.progress(0.0);
         }

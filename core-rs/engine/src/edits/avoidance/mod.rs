@@ -24,7 +24,9 @@ use glam::DVec2;
 
 use crate::motion::{Approach, Motion, clashes};
 
+use super::NO_GROUP;
 use super::deviation::Deviation;
+use reroute::Parting;
 
 pub use breaches::{Breach, Other};
 pub use eigenform_apart::Outline;
@@ -53,6 +55,8 @@ pub struct Avoidance {
     pub obstacles: Vec<Outline>,
     /// Who must not come nearer to which of them than they are, farther than everybody keeps; by agent, then by obstacle.
     pub holds: Vec<Hold>,
+    /// By agent the group that it passes obstacles with, or [`super::NO_GROUP`]; empty where there are none.
+    pub groups: Vec<u32>,
 }
 
 /// A motion after avoidance.
@@ -89,21 +93,55 @@ impl AvoidanceReport {
     }
 }
 
-/// What leads a guide around obstacles at a distance, a knot a sample: nothing at both ends, value and velocity. All zero without
-/// obstacles or distance, and for a guide that does not move.
-pub(super) fn way_around(guide: &Motion, obstacles: &[Outline], distance: f64) -> Paths {
-    let ways = rungs::Ways::of(guide);
-    let sample_count = guide.times().len();
-    if obstacles.is_empty() || distance <= 0.0 || ways.longest <= 0.0 {
-        return Paths::new(guide.agent_count(), sample_count, 2);
+/// What leads a guide around obstacles.
+pub(super) struct WayAround {
+    /// A knot a sample: nothing at both ends, value and velocity.
+    pub(super) detour: Paths,
+    /// Whom no way leads around them; they stay on the guide.
+    pub(super) shut_off: Vec<ShutOff>,
+}
+
+impl WayAround {
+    /// At a distance from obstacles, each of the `groups` on one side; nothing without obstacles or distance, and for a guide that does
+    /// not move.
+    pub(super) fn of(guide: &Motion, obstacles: &[Outline], distance: f64, groups: &[u32]) -> Self {
+        let ways = rungs::Ways::of(guide);
+        let sample_count = guide.times().len();
+        if obstacles.is_empty() || distance <= 0.0 || ways.longest <= 0.0 {
+            return Self { detour: Paths::new(guide.agent_count(), sample_count, 2), shut_off: Vec::new() };
+        }
+        let straight = sampling::at_knots(guide, rungs::RUNGS[0].knot_count(ways, distance, sample_count));
+        let avoidance = Avoidance {
+            minimum_distance: distance,
+            is_clamped: [true; 2],
+            seed: 0,
+            obstacles: obstacles.to_vec(),
+            holds: Vec::new(),
+            groups: groups.to_vec(),
+        };
+        let shut_off = shut::shut_off(guide, &avoidance.blocked(guide, SLACK), obstacles, distance);
+        let around = |parting: Parting| {
+            let mut paths = straight.clone();
+            reroute::reroute(&mut paths, &avoidance, parting, |agent| is_among(&shut_off, agent));
+            sampling::lifted(&sampling::difference(&paths, &straight), guide.times(), [true; 2])
+        };
+        let together = around(Parting::Ungrouped);
+        let is_astray = warp::is_astray(sampling::lengths(&together)[1], ways, distance);
+        let detour = if is_astray && avoidance.has_groups() { around(Parting::Groups) } else { together };
+        Self { detour, shut_off }
     }
-    let straight = sampling::at_knots(guide, rungs::RUNGS[0].knot_count(ways, distance, sample_count));
-    let mut paths = straight.clone();
-    let avoidance =
-        Avoidance { minimum_distance: distance, is_clamped: [true; 2], seed: 0, obstacles: obstacles.to_vec(), holds: Vec::new() };
-    let shut_off = shut::shut_off(guide, &avoidance.blocked(guide, SLACK), obstacles, distance);
-    reroute::reroute(&mut paths, &avoidance, true, |agent| is_among(&shut_off, agent));
-    sampling::lifted(&sampling::difference(&paths, &straight), guide.times(), [true; 2])
+}
+
+impl Avoidance {
+    /// The group that an agent passes obstacles with.
+    fn group_of(&self, agent: usize) -> u32 {
+        self.groups.get(agent).copied().unwrap_or(NO_GROUP)
+    }
+
+    /// Whether anybody goes around obstacles with a group.
+    fn has_groups(&self) -> bool {
+        !self.obstacles.is_empty() && self.groups.iter().any(|group| *group != NO_GROUP)
+    }
 }
 
 /// Whether no way leads an agent around obstacles.

@@ -1,15 +1,17 @@
 //! Leads a guide around what stands in its way, before anybody is pushed.
 //!
-//! Whoever heads the same way passes on the same side, each as far outside as they stand to that side of the others: a block bows out
-//! as a block. A block that is wider than the obstacle on both sides opens about its middle and closes behind it. The way around is the
-//! shortest about the convex hull of the obstacle, grown by the distance; it is walked with the guide's own clock, by arc length. Notches
-//! are entered only by those who stand in them: straight out or in, by the shortest way.
+//! A group passes on one side, each as far outside as they stand to that side of the others: a block bows out as a block. Who is in no
+//! group goes with all of those who head the same way, and such a block that is wider than the obstacle on both sides opens about its
+//! middle and closes behind it. The way around is the shortest about the convex hull of the obstacle, grown by the distance; it is
+//! walked with the guide's own clock, by arc length. Notches are entered only by those who stand in them: straight out or in, by the
+//! shortest way.
 
 use eigenform_apart::{Kernel, Outline, Paths};
 use glam::DVec2;
 
 use super::hull::{chain, extent, grown, way_out};
 use super::{Avoidance, at};
+use crate::edits::NO_GROUP;
 
 /// Obstacles may push into one another's way; after so many rounds what is left is left to the pushes.
 const ROUNDS: usize = 3;
@@ -39,8 +41,19 @@ const LONGEST_SMOOTHING: f64 = 0.1;
 /// Who passes within so many minimum distances of an obstacle, or within its width, passes near by.
 const NEAR_BY: f64 = 4.0;
 
+/// What may part at an obstacle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Parting {
+    /// Nobody who heads the same way.
+    Nothing,
+    /// Who is in no group; the members of one stay together.
+    Ungrouped,
+    /// Everybody, as if there were no groups.
+    Groups,
+}
+
 /// Leads paths around obstacles, save of those without a way; velocities at clamped ends stay.
-pub(super) fn reroute(paths: &mut Paths, avoidance: &Avoidance, may_split: bool, is_shut_off: impl Fn(usize) -> bool) {
+pub(super) fn reroute(paths: &mut Paths, avoidance: &Avoidance, parting: Parting, is_shut_off: impl Fn(usize) -> bool) {
     let Avoidance { obstacles: outlines, minimum_distance: distance, is_clamped, .. } = avoidance;
     let free: Vec<usize> = (0..paths.agent_count()).filter(|agent| !is_shut_off(*agent)).collect();
     let guide = paths.clone();
@@ -48,7 +61,7 @@ pub(super) fn reroute(paths: &mut Paths, avoidance: &Avoidance, may_split: bool,
     for _ in 0..ROUNDS {
         let mut has_blocked = false;
         for outline in outlines {
-            has_blocked |= around(paths, (outline, *distance), &free, may_split, &mut is_moved);
+            has_blocked |= around(paths, outline, avoidance, &free, parting, &mut is_moved);
         }
         if !has_blocked {
             break;
@@ -78,29 +91,95 @@ fn smoothing_time(guide: &Paths, outlines: &[Outline], distance: f64) -> f64 {
 }
 
 /// One obstacle, for those who have a way; whether anybody of them was blocked.
-fn around(paths: &mut Paths, (outline, distance): (&Outline, f64), free: &[usize], may_split: bool, is_moved: &mut [bool]) -> bool {
-    let blocked: Vec<usize> = free.iter().copied().filter(|agent| span(paths, *agent, outline, distance).is_some()).collect();
-    let mut left = blocked.clone();
-    while let Some(&leader) = left.first() {
-        let heading = heading(paths, leader);
-        let is_alike = |agent: usize| heading_of(paths, agent).dot(heading) > SAME_HEADING;
-        let (group, others): (Vec<usize>, Vec<usize>) = left.iter().partition(|agent| **agent == leader || is_alike(**agent));
-        left = others;
+fn around(paths: &mut Paths, outline: &Outline, avoidance: &Avoidance, free: &[usize], parting: Parting, is_moved: &mut [bool]) -> bool {
+    let distance = avoidance.minimum_distance;
+    let group_of = |agent: usize| if parting == Parting::Groups { NO_GROUP } else { avoidance.group_of(agent) };
+    let columns = columns(paths, (outline, distance), free, group_of, parting != Parting::Nothing);
+    let is_in_column = |agent: usize| columns.iter().any(|column| is_among(&column.members, agent));
+    let near = distance * (1.0 + MARGIN);
+    for Column { heading, side, members } in &columns {
         // Also those who would pass free, where the others are pushed out to.
-        let everybody: Vec<usize> = free.iter().copied().filter(|agent| group.contains(agent) || is_alike(*agent)).collect();
+        let is_beside = |agent: usize| heading_of(paths, agent).dot(*heading) > SAME_HEADING && !is_in_column(agent);
+        let everybody: Vec<usize> = free.iter().copied().filter(|agent| is_among(members, *agent) || is_beside(*agent)).collect();
+        let offsets = |agents: &[usize]| agents.iter().map(|agent| offset(paths, *agent, outline, *side)).collect::<Vec<_>>();
+        let own = offsets(members);
+        let [innermost, outermost] = [f64::min, f64::max].map(|of| own.iter().copied().reduce(of).unwrap_or(0.0));
+        let lanes: Vec<f64> = offsets(&everybody).into_iter().map(|offset| offset - innermost).collect();
+        // A group sets out as one, early enough for all of it.
+        let run_up = RUN_UP * extent(&grown(outline, near + outermost - innermost));
+        for (&agent, lane) in everybody.iter().zip(lanes).filter(|(_, lane)| *lane >= 0.0) {
+            let run_up = (is_among(members, agent) && group_of(agent) != NO_GROUP).then_some(run_up);
+            is_moved[agent] |= lead(paths, agent, outline, [distance, near + lane], run_up, heading.perp().dot(*side) > 0.0);
+        }
+    }
+    !columns.is_empty()
+}
+
+/// Those who pass an obstacle on one side.
+struct Column {
+    heading: DVec2,
+    /// A unit vector across the heading.
+    side: DVec2,
+    /// In order.
+    members: Vec<usize>,
+}
+
+/// Who is blocked, and the groups of those, by side.
+fn columns(
+    paths: &Paths,
+    (outline, distance): (&Outline, f64),
+    free: &[usize],
+    group_of: impl Fn(usize) -> u32,
+    may_split: bool,
+) -> Vec<Column> {
+    let mut columns = Vec::<Column>::new();
+    let mut left: Vec<usize> = free.iter().copied().filter(|agent| is_blocked(paths, *agent, outline, distance)).collect();
+    while let Some(&leader) = left.first() {
+        let group = group_of(leader);
+        let mates = if group == NO_GROUP { &left } else { free };
+        let mates: Vec<usize> = mates.iter().copied().filter(|agent| group_of(*agent) == group).collect();
+        let heading = if group == NO_GROUP { heading(paths, leader) } else { common_heading(paths, &mates, leader) };
+        let is_alike = |agent: usize| heading_of(paths, agent).dot(heading) > SAME_HEADING;
+        let party: Vec<usize> = mates.into_iter().filter(|agent| *agent == leader || is_alike(*agent)).collect();
+        left.retain(|agent| !is_among(&party, *agent));
         let right = -heading.perp();
-        let parts = if may_split { split(paths, (outline, distance), &group, &everybody, right) } else { None };
-        let parts = parts.unwrap_or_else(|| vec![(better_side(paths, outline, &group, right), group)]);
-        let near = distance * (1.0 + MARGIN);
-        for (side, group) in parts {
-            let innermost = group.iter().map(|agent| offset(paths, *agent, outline, side)).fold(f64::INFINITY, f64::min);
-            let lanes: Vec<f64> = everybody.iter().map(|agent| offset(paths, *agent, outline, side) - innermost).collect();
-            for (&agent, lane) in everybody.iter().zip(lanes).filter(|(_, lane)| *lane >= 0.0) {
-                is_moved[agent] |= lead(paths, agent, outline, [distance, near + lane], heading.perp().dot(side) > 0.0);
+        let parts = if group == NO_GROUP && may_split {
+            let everybody: Vec<usize> = free.iter().copied().filter(|agent| is_among(&party, *agent) || is_alike(*agent)).collect();
+            split(paths, (outline, distance), &party, &everybody, right)
+        } else {
+            None
+        };
+        for (side, members) in parts.unwrap_or_else(|| vec![(better_side(paths, outline, &party, right), party)]) {
+            // Who goes the same way on the same side goes in the same lanes.
+            let is_same = |column: &&mut Column| column.heading.dot(heading) > SAME_HEADING && column.side.dot(side) > 0.0;
+            match columns.iter_mut().find(is_same) {
+                Some(column) => {
+                    column.members.extend(members);
+                    column.members.sort_unstable();
+                }
+                None => columns.push(Column { heading, side, members }),
             }
         }
     }
-    !blocked.is_empty()
+    columns
+}
+
+/// Whether an agent is among some of them, in order.
+fn is_among(agents: &[usize], agent: usize) -> bool {
+    agents.binary_search(&agent).is_ok()
+}
+
+/// Of a group as a whole; that of its leader, should it be another.
+fn common_heading(paths: &Paths, group: &[usize], leader: usize) -> DVec2 {
+    let last = paths.knot_count() - 1;
+    let common = group.iter().map(|agent| at(paths, *agent, last) - at(paths, *agent, 0)).sum::<DVec2>().normalize_or_zero();
+    let own = heading(paths, leader);
+    if own.dot(common) > SAME_HEADING { common } else { own }
+}
+
+/// Whether an agent comes nearer to an outline than the distance.
+fn is_blocked(paths: &Paths, agent: usize, outline: &Outline, distance: f64) -> bool {
+    span(paths, agent, outline, distance).is_some()
 }
 
 /// From start to end; none for who returns.
@@ -151,6 +230,11 @@ fn better_side(paths: &Paths, outline: &Outline, group: &[usize], right: DVec2) 
 
 /// How far to a side an agent is where it is nearest to the obstacle.
 fn offset(paths: &Paths, agent: usize, outline: &Outline, side: DVec2) -> f64 {
+    at(paths, agent, nearest(paths, agent, outline)).dot(side)
+}
+
+/// The knot at which an agent is nearest to the obstacle.
+fn nearest(paths: &Paths, agent: usize, outline: &Outline) -> usize {
     let clearance = |knot: usize| outline.clearance(at(paths, agent, knot).to_array()).0;
     let mut nearest = (clearance(0), 0);
     for knot in 1..paths.knot_count() {
@@ -159,7 +243,7 @@ fn offset(paths: &Paths, agent: usize, outline: &Outline, side: DVec2) -> f64 {
             nearest = (here, knot);
         }
     }
-    at(paths, agent, nearest.1).dot(side)
+    nearest.1
 }
 
 /// The first and the last knot about which an agent is nearer than `reach`.
@@ -173,18 +257,24 @@ fn span(paths: &Paths, agent: usize, outline: &Outline, reach: f64) -> Option<(u
     Some((first, near.next_back().unwrap_or(first) + 1))
 }
 
-/// Leads one agent around at `reach` from the outline, no nearer than `least` out of a notch; whether there was need and a way.
-fn lead(paths: &mut Paths, agent: usize, outline: &Outline, [least, reach]: [f64; 2], is_left: bool) -> bool {
-    let Some((first, last)) = span(paths, agent, outline, reach) else { return false };
+/// Leads one agent around at `reach` from the outline, no nearer than `least` out of a notch; whether there was need and a way. With a
+/// run-up of its own also where it would pass free on the other side.
+fn lead(paths: &mut Paths, agent: usize, outline: &Outline, [least, reach]: [f64; 2], own: Option<f64>, is_left: bool) -> bool {
+    let blocked = span(paths, agent, outline, reach);
+    let beside = || own.map(|_| [nearest(paths, agent, outline); 2].into());
+    let Some((first, last)) = blocked.or_else(beside) else { return false };
     let knot_count = paths.knot_count();
     let places: Vec<DVec2> = (0..knot_count).map(|knot| at(paths, agent, knot)).collect();
     let grown = grown(outline, reach);
-    let run_up = RUN_UP * extent(&grown);
+    let run_up = own.unwrap_or_else(|| RUN_UP * extent(&grown));
     let leave = (0..first).rev().find(|knot| places[*knot].distance(places[first]) >= run_up).unwrap_or(0);
     let meet = (last..knot_count).find(|knot| places[*knot].distance(places[last]) >= run_up).unwrap_or(knot_count - 1);
     let out = |knot: usize| way_out(&grown, outline, places[knot], least - ROUND_OFF);
     let (Some(start), Some(end)) = (out(leave), out(meet)) else { return false };
     let Some(chain) = chain(&grown, start, end, is_left) else { return false };
+    if blocked.is_none() && chain.len() == 2 {
+        return false;
+    }
     let way = [&places[..=leave], &chain, &places[meet..]].concat();
     let moved = walked(&places, &way);
     for (knot, place) in moved.into_iter().enumerate().take(knot_count - 1).skip(1) {

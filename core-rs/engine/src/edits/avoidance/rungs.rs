@@ -3,6 +3,7 @@
 use eigenform_apart::{Kernel, Paths, Rules};
 
 use super::Avoidance;
+use super::reroute::Parting;
 use crate::motion::Motion;
 
 /// How an attempt pushes.
@@ -14,8 +15,8 @@ pub(super) struct Rung {
     step: f64,
     /// A push closes at most this much of a gap, of the minimum distance.
     cap: f64,
-    /// Whether a group may pass an obstacle on both sides.
-    pub(super) may_split: bool,
+    /// What passes an obstacle on both sides where it has to.
+    pub(super) parting: Parting,
     /// How the guide is bent before anybody is pushed.
     pub(super) bend: Bend,
     /// Slower than this across a knot, in minimum distances, two are pushed straight apart.
@@ -43,8 +44,8 @@ const STILL: f64 = 1e-4;
 /// do, two go side by side for long, and it is those that the stiller rungs push straight apart. Blocks that open by all they need pass
 /// smoothly; where that leads too far, half of it is enough for agents that weave their way.
 pub(super) const RUNGS: [Rung; 15] = [
-    rung(3.0, 0.4),
-    Rung { may_split: false, ..rung(1.5, 0.4) },
+    Rung { parting: Parting::Ungrouped, ..rung(3.0, 0.4) },
+    Rung { parting: Parting::Nothing, ..rung(1.5, 0.4) },
     rung(0.8, 0.3),
     Rung { bend: Bend::Open(1.0), ..rung(0.8, 0.3) },
     Rung { bend: Bend::Open(0.5), ..rung(0.8, 0.3) },
@@ -61,7 +62,7 @@ pub(super) const RUNGS: [Rung; 15] = [
 ];
 
 const fn rung(duration: f64, step: f64) -> Rung {
-    Rung { duration, step, cap: 0.3, may_split: true, bend: Bend::No, stillness: STILL, seed: 0, margins: KNOT_MARGINS }
+    Rung { duration, step, cap: 0.3, parting: Parting::Groups, bend: Bend::No, stillness: STILL, seed: 0, margins: KNOT_MARGINS }
 }
 
 /// For guides that are bent on request. The margin is what keyframes on a grid of a centimeter may take away again.

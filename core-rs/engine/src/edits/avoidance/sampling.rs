@@ -51,6 +51,20 @@ pub(super) fn sum(paths: &Paths, other: &Paths) -> Paths {
     sum
 }
 
+/// Mean and greatest length of a deviation, meters.
+pub(super) fn lengths(deviation: &Paths) -> [f64; 2] {
+    let (mut sum, mut greatest): (f64, f64) = (0.0, 0.0);
+    for agent in 0..deviation.agent_count() {
+        for k in 0..deviation.knot_count() {
+            let [x, y, z] = deviation.place(agent, k);
+            let length = (x * x + y * y + z * z).sqrt();
+            sum += length;
+            greatest = greatest.max(length);
+        }
+    }
+    [sum / (deviation.agent_count() * deviation.knot_count()).max(1) as f64, greatest]
+}
+
 /// A deviation at evenly spaced knots as a cubic spline at sample times; exactly zero at both ends.
 pub(super) fn lifted(deviation: &Paths, times: &[f64], is_clamped: [bool; 2]) -> Paths {
     let knot_count = deviation.knot_count();

@@ -7,6 +7,7 @@ use glam::DVec2;
 
 use super::attempt::Attempt;
 use super::problem::Problem;
+use super::rungs::Ways;
 use crate::motion::Approach;
 
 /// Beyond this a detour looks like another show: of the minimum distance, and at least so many meters.
@@ -74,8 +75,12 @@ pub fn is_modest(widest: f64, speed_ratio: f64, minimum_distance: f64) -> bool {
 pub(super) fn is_sane(attempt: &Attempt, problem: &Problem) -> bool {
     let [_, widest] = attempt.deviation_lengths();
     let speed_ratio = attempt.motion.top_speed() / problem.guide.top_speed();
-    let of_way = SHARE_OF_WAY * problem.ways.longest;
-    is_modest(if widest <= of_way { 0.0 } else { widest }, speed_ratio, problem.avoidance.minimum_distance)
+    speed_ratio <= FASTEST && !is_astray(widest, problem.ways, problem.avoidance.minimum_distance)
+}
+
+/// Whether a detour of so many meters is too wide for ways so long.
+pub(super) fn is_astray(widest: f64, ways: Ways, minimum_distance: f64) -> bool {
+    widest > SHARE_OF_WAY * ways.longest && !is_modest(widest, 1.0, minimum_distance)
 }
 
 /// The stuck ones, in sets that clashes on the guide connect.

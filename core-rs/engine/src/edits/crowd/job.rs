@@ -9,7 +9,7 @@ use super::guide::Guide;
 use super::walkers::{Speeds, Walkers};
 use super::{Aim, CrowdRules, Ending, Led};
 use crate::COMPARES;
-use crate::edits::avoidance::way_around;
+use crate::edits::avoidance::WayAround;
 use crate::edits::deviation::Deviation;
 use crate::motion::Motion;
 
@@ -69,7 +69,7 @@ impl CrowdJob {
     /// When the lists of the rules do not have an entry an agent.
     pub fn new(rules: CrowdRules, guide: Motion) -> Self {
         let offsets = Paths::new(guide.agent_count(), guide.times().len(), 2);
-        let detour = way_around(&guide, &rules.obstacles, rules.clearance);
+        let WayAround { detour, .. } = WayAround::of(&guide, &rules.obstacles, rules.clearance, &rules.group);
         let given = guide;
         let mut guide = Guide::new(moved(&given, &detour), rules.unit);
         let crowd = crowd(&rules, &mut guide);

@@ -1,6 +1,8 @@
 //! What avoidance promises, whatever the guide.
 
-use eigenform::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Edited, Other, Outline};
+mod around;
+
+use eigenform::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Edited};
 use eigenform::motion::{Motion, clashes, sample_times};
 use glam::DVec2;
 use proptest::prelude::*;
@@ -8,7 +10,7 @@ use proptest::prelude::*;
 const DISTANCE: f64 = 0.5;
 
 fn avoidance() -> Avoidance {
-    Avoidance { minimum_distance: DISTANCE, is_clamped: [false; 2], seed: 7, obstacles: Vec::new(), holds: Vec::new() }
+    Avoidance { minimum_distance: DISTANCE, is_clamped: [false; 2], seed: 7, obstacles: Vec::new(), holds: Vec::new(), groups: Vec::new() }
 }
 
 fn edited(avoidance: Avoidance, guide: &Motion) -> Edited {
@@ -197,114 +199,4 @@ fn nobody_one_agent_and_an_instant_have_an_answer() {
         let guide = Motion::new(times, count, positions);
         assert_eq!(edited(avoidance(), &guide).motion, guide);
     }
-}
-
-/// Who goes 24 m or, in a file, 40 m to the right: alone, in a file of 20, in a block of 6 × 6.
-fn marchers() -> [(&'static str, Motion); 3] {
-    let walk = |source: Vec<DVec2>, way: f64| {
-        let target: Vec<DVec2> = source.iter().map(|p| *p + DVec2::X * way).collect();
-        straight(&source, &target)
-    };
-    let file = (0..20).map(|k| DVec2::new(-6.0 - 1.143 * f64::from(k), 0.1)).collect();
-    let block = (0..36).map(|k| DVec2::new(-8.0 - 1.143 * f64::from(k % 6), 1.143 * (f64::from(k / 6) - 2.5))).collect();
-    [("alone", walk(vec![DVec2::new(-12.0, 0.0)], 24.0)), ("a file", walk(file, 40.0)), ("a block", walk(block, 24.0))]
-}
-
-fn obstacles() -> [(&'static str, Outline); 2] {
-    let corners = [[-2.0, -1.0], [2.0, -1.0], [2.0, 0.5], [0.0, 0.5], [0.0, 3.0], [-2.0, 3.0]];
-    [("a circle", Outline { points: vec![[0.0, 0.3]], radius: 2.0 }), ("an L", Outline { points: corners.to_vec(), radius: 0.0 })]
-}
-
-#[test]
-fn marchers_pass_what_stands_in_their_way() {
-    for (obstacle, outline) in obstacles() {
-        for (who, guide) in marchers() {
-            for is_clamped in [[false; 2], [true; 2]] {
-                let result = edited(Avoidance { is_clamped, obstacles: vec![outline.clone()], ..avoidance() }, &guide);
-                assert!(result.report.is_solved(), "{who} around {obstacle}: {:?}", result.report.blocked);
-                // Independent of the check inside: ten places on every straight piece.
-                for k in 1..=last(&guide) {
-                    for (from, to) in result.motion.sample(k - 1).iter().zip(result.motion.sample(k)) {
-                        for tenth in 0..10 {
-                            let (clearance, _) = outline.clearance(from.lerp(*to, f64::from(tenth) / 10.0).to_array());
-                            assert!(clearance >= DISTANCE - 1e-6, "{who} around {obstacle}: {clearance}");
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
-/// σ of the distances to the nearest neighbor, meters.
-fn structure_deviation(places: &[DVec2]) -> f64 {
-    let nearest = |p: &DVec2| places.iter().map(|q| p.distance(*q)).filter(|away| *away > 0.0).fold(f64::INFINITY, f64::min);
-    let distances: Vec<f64> = places.iter().map(nearest).collect();
-    let mean = distances.iter().sum::<f64>() / distances.len() as f64;
-    (distances.iter().map(|d| (d - mean).powi(2)).sum::<f64>() / distances.len() as f64).sqrt()
-}
-
-#[test]
-fn a_formation_wider_than_an_obstacle_opens_about_it_and_closes_again() {
-    let block: Vec<DVec2> = (0..36).map(|k| DVec2::new(f64::from(k % 6) - 2.5, f64::from(k / 6) - 2.5) * 1.5).collect();
-    let ring: Vec<DVec2> = (0..30).map(|k| DVec2::from_angle(f64::from(k) / 30.0 * std::f64::consts::TAU) * 6.0).collect();
-    for (who, formation) in [("a block", block), ("a ring", ring)] {
-        for (obstacle, outline) in obstacles() {
-            let at = |x: f64| formation.iter().map(|p| *p + DVec2::X * x).collect::<Vec<_>>();
-            let guide = straight(&at(-16.0), &at(16.0));
-            let result = edited(Avoidance { obstacles: vec![outline.clone()], ..avoidance() }, &guide);
-            assert!(result.report.is_solved(), "{who} around {obstacle}: {:?}", result.report.blocked);
-            let middle = guide.times().len() / 2;
-            let passed = |side: f64| (0..formation.len()).any(|agent| side * result.motion.sample(middle)[agent].y > 3.0);
-            assert!(passed(1.0) && passed(-1.0), "{who} around {obstacle}: on both sides");
-            // Each goes no farther aside than half the obstacle, its clearance and a little: on one side some would go twice that.
-            assert!(result.report.deviation[1] < 3.0, "{who} around {obstacle}: {:?}", result.report.deviation);
-            let [before, after] = [0, last(&guide)].map(|k| structure_deviation(result.motion.sample(k)));
-            // The same places 32 m on: rounding of coordinates below 32.
-            assert!((before - after).abs() < 1e-12, "{who} around {obstacle}: {before} {after}");
-        }
-    }
-}
-
-#[test]
-fn an_obstacle_on_a_keyframe_is_reported_and_nobody_is_moved_there() {
-    let (_, guide) = &marchers()[0];
-    let outline = Outline { points: vec![[12.0, 0.2]], radius: 1.0 };
-    let result = edited(Avoidance { obstacles: vec![outline], ..avoidance() }, guide);
-    assert!(!result.report.is_solved());
-    let breach = result.report.breaches[0];
-    assert_eq!((breach.end, breach.agent, breach.other), (1, 0, Other::Obstacle(0)));
-    assert!((breach.distance + 0.8).abs() < 1e-12, "{breach:?}");
-    assert_eq!(result.motion.sample(last(guide)), guide.sample(last(guide)));
-}
-
-#[test]
-fn who_stands_in_a_notch_is_led_out_of_it_first() {
-    let (_, outline) = obstacles().into_iter().nth(1).expect("the L");
-    // Inside its hull, with half a meter and more to either arm; beyond the L, and back.
-    let [notch, west, south] = [[0.7, 1.2], [-6.0, 1.0], [0.5, -5.0]].map(DVec2::from_array);
-    for (from, to) in [(notch, west), (west, notch), (notch, south), (south, notch)] {
-        let result = edited(Avoidance { obstacles: vec![outline.clone()], ..avoidance() }, &straight(&[from], &[to]));
-        assert!(result.report.is_solved(), "{from} to {to}: {:?}", result.report.blocked);
-    }
-}
-
-#[test]
-fn who_is_shut_off_keeps_the_guide_and_is_named_and_the_others_go_around() {
-    let wall = |x: [f64; 2], y: [f64; 2]| Outline { points: vec![[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]], radius: 0.0 };
-    let [low, high] = [[-6.0, -5.0], [5.0, 6.0]];
-    let whole = [-6.0, 6.0];
-    let room = vec![wall(whole, low), wall(whole, high), wall(low, whole), wall(high, whole)];
-    // One starts in the room, one has to pass it.
-    let guide = straight(&[DVec2::ZERO, DVec2::new(-12.0, -5.5)], &[DVec2::new(0.5, 12.0), DVec2::new(12.0, -5.5)]);
-    let closed = edited(Avoidance { obstacles: room.clone(), ..avoidance() }, &guide);
-    let named: Vec<(u32, u32)> = closed.report.shut_off.iter().map(|shut| (shut.agent, shut.obstacle)).collect();
-    assert_eq!(named, [(0, 1)]);
-    for k in 0..guide.times().len() {
-        // The guide, as exactly as avoidance checks.
-        assert!(closed.motion.sample(k)[0].distance(guide.sample(k)[0]) < 1e-6, "at {k}");
-    }
-    assert!(closed.report.blocked.iter().all(|blocked| blocked.agent == 0), "{:?}", closed.report.blocked);
-    let open = edited(Avoidance { obstacles: room[..1].to_vec(), ..avoidance() }, &guide);
-    assert_eq!(open.report.shut_off, []);
 }
