@@ -34,6 +34,8 @@ pub struct Bodies {
 pub struct Setting {
     /// What stands in the way.
     pub obstacles: Vec<Outline>,
+    /// By agent, whether it goes its way through all of that; empty: nobody does.
+    pub goes_through: Vec<bool>,
     /// The body radius that the constants are made for.
     pub usual_radius: f64,
     /// Nobody wants to be faster than this, however late, lengths a second.
@@ -72,9 +74,11 @@ impl Crowd {
     /// # Panics
     /// When the lists are not equally long: a bug.
     pub fn new(constants: Constants, feedback: Feedback, bodies: Bodies, setting: Setting) -> Self {
-        let Setting { obstacles, usual_radius, hurry, seed } = setting;
+        let Setting { obstacles, goes_through, usual_radius, hurry, seed } = setting;
         let Bodies { x, y, vx, vy, radius, top_speed, group } = bodies;
         let count = x.len();
+        let goes_through = |agent: usize| goes_through.get(agent).copied().unwrap_or(false);
+        let pushed = radius.iter().enumerate().map(|(agent, radius)| (!goes_through(agent)).then_some(*radius)).collect();
         assert!([&y, &vx, &vy, &radius, &top_speed].iter().all(|list| list.len() == count) && group.len() == count, "every agent is told");
         Self {
             fx: vec![0.0; count],
@@ -92,7 +96,7 @@ impl Crowd {
             vx,
             vy,
             top_speed,
-            obstacles: Obstacles::new(obstacles, radius),
+            obstacles: Obstacles::new(obstacles, pushed),
             hurry,
             seed,
             step_count: 0,
@@ -193,7 +197,7 @@ mod tests {
     }
 
     fn crowd(constants: Constants, bodies: Bodies, obstacles: Vec<Outline>) -> Crowd {
-        Crowd::new(constants, OFF, bodies, Setting { obstacles, usual_radius: 0.25, hurry: 50.0, seed: 1 })
+        Crowd::new(constants, OFF, bodies, Setting { obstacles, usual_radius: 0.25, hurry: 50.0, seed: 1, ..Setting::default() })
     }
 
     /// Steps while everybody aims at a place that stays.
@@ -293,6 +297,17 @@ mod tests {
             let (x, y) = at(&alone, 0);
             assert!(circle.clearance([x, y]).0 > 0.0, "at {x} {y}");
         }
+    }
+
+    #[test]
+    fn who_goes_through_an_obstacle_walks_as_if_it_were_not_there() {
+        let walked = |obstacles: Vec<Outline>| {
+            let setting = Setting { obstacles, goes_through: vec![true], usual_radius: 0.25, hurry: 50.0, ..Setting::default() };
+            let mut alone = Crowd::new(Constants::default(), OFF, bodies(&[(0.0, 0.0)]), setting);
+            walk(&mut alone, &[(10.0, 0.0)], 100);
+            at(&alone, 0)
+        };
+        assert_eq!(walked(vec![Outline { points: vec![[5.0, 0.1]], radius: 1.0 }]), walked(Vec::new()));
     }
 
     #[test]

@@ -15,8 +15,8 @@ const DEEPEST: f64 = 3.0;
 #[derive(Clone, Debug)]
 pub struct Obstacles {
     outlines: Vec<(Outline, Round)>,
-    /// By agent.
-    radius: Vec<f64>,
+    /// By agent; none for whom they do not push.
+    radius: Vec<Option<f64>>,
 }
 
 /// A circle about an outline: most agents are far from most obstacles.
@@ -27,8 +27,8 @@ struct Round {
 }
 
 impl Obstacles {
-    /// `radius`: of each agent's body.
-    pub fn new(outlines: Vec<Outline>, radius: Vec<f64>) -> Self {
+    /// `radius`: of each agent's body; none for whom nothing is to push.
+    pub fn new(outlines: Vec<Outline>, radius: Vec<Option<f64>>) -> Self {
         let outlines = outlines.into_iter().map(|outline| {
             let round = Round::about(&outline);
             (outline, round)
@@ -39,7 +39,7 @@ impl Obstacles {
     /// Adds the pushes to forces: A e^{−d/B}, d from the outline to the body.
     pub fn push_off(&self, constants: &Constants, [x, y]: [&[f64]; 2], [fx, fy]: [&mut [f64]; 2]) {
         for (outline, round) in &self.outlines {
-            for (agent, radius) in self.radius.iter().enumerate() {
+            for (agent, radius) in self.radius.iter().enumerate().filter_map(|(agent, radius)| Some((agent, (*radius)?))) {
                 let at = [x[agent], y[agent]];
                 if !round.reaches(at, radius + REACHES * constants.reach) {
                     continue;

@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::ending::{ended, smoothed, stretch};
 use super::guide::Guide;
-use super::walkers::{Speeds, Walkers};
+use super::walkers::{InTheWay, Speeds, Walkers};
 use super::{Aim, CrowdRules, Ending, Led};
 use crate::COMPARES;
 use crate::edits::avoidance::WayAround;
@@ -69,10 +69,14 @@ impl CrowdJob {
     /// When the lists of the rules do not have an entry an agent.
     pub fn new(rules: CrowdRules, guide: Motion) -> Self {
         let offsets = Paths::new(guide.agent_count(), guide.times().len(), 2);
-        let WayAround { detour, .. } = WayAround::of(&guide, &rules.obstacles, rules.clearance, &rules.group);
+        let WayAround { detour, shut_off } = WayAround::of(&guide, &rules.obstacles, rules.clearance, &rules.group);
+        let mut goes_through = vec![false; guide.agent_count()];
+        for shut in shut_off {
+            goes_through[shut.agent as usize] = true;
+        }
         let given = guide;
         let mut guide = Guide::new(moved(&given, &detour), rules.unit);
-        let crowd = crowd(&rules, &mut guide);
+        let crowd = crowd(&rules, &mut guide, goes_through);
         Self { rules, given, detour, guide, crowd, at: 0, offsets, arrived_at: None, overtime: 0.0 }
     }
 
@@ -219,7 +223,7 @@ fn sum(paths: &Paths, other: &Paths) -> Paths {
     sum
 }
 
-fn crowd(rules: &CrowdRules, guide: &mut Guide) -> Walkers {
+fn crowd(rules: &CrowdRules, guide: &mut Guide, goes_through: Vec<bool>) -> Walkers {
     let agent_count = guide.motion().agent_count();
     let [start, _] = guide.span();
     let mut places = |time: f64| {
@@ -250,7 +254,8 @@ fn crowd(rules: &CrowdRules, guide: &mut Guide) -> Walkers {
         (Aim::Target, Some(pace)) if COMPARES => Speeds { wished: pace, greatest: HURRY * pace },
         _ => Speeds { wished: HURRY * guide.top_speed(), greatest: HURRY * guide.top_speed() },
     };
-    Walkers::new(rules, bodies, outlines.collect(), USUAL_RADIUS / rules.unit, speeds)
+    let way = InTheWay { obstacles: outlines.collect(), goes_through };
+    Walkers::new(rules, bodies, way, USUAL_RADIUS / rules.unit, speeds)
 }
 
 fn length(offsets: &Paths, agent: usize, k: usize) -> f64 {

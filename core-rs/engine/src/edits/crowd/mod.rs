@@ -2,8 +2,8 @@
 //! paper A, section 4.3).
 //!
 //! Agents aim at where their guide is a short time ahead, so the plan stays and the forces are local: the way around an obstacle is the
-//! guide's. The last stretch leads back onto
-//! the guide, so that everybody arrives where and when it does. In space, forces are in plan and heights are the guide's.
+//! guide's, and whom no way leads around keeps to its guide through it, pushed by no wall. The last stretch leads back onto the guide,
+//! so that everybody arrives where and when it does. In space, forces are in plan and heights are the guide's.
 
 mod ending;
 mod guide;

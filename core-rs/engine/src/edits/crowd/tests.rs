@@ -144,6 +144,37 @@ fn who_hurries_is_never_faster_than_the_way_left_asks_for_whoever_is_in_the_way(
     }
 }
 
+/// Four walls about the middle, without a gap.
+fn room() -> Vec<Outline> {
+    let wall = |x: [f64; 2], y: [f64; 2]| Outline { points: vec![[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]], radius: 0.0 };
+    let [low, high, whole] = [[-4.0, -3.5], [3.5, 4.0], [-4.0, 4.0]];
+    vec![wall(whole, low), wall(whole, high), wall(low, whole), wall(high, whole)]
+}
+
+#[test]
+fn whom_walls_shut_off_is_led_as_if_they_were_not_there() {
+    let source: Vec<DVec2> = (0..12).map(|k| DVec2::new(f64::from(k % 4) - 1.5, f64::from(k / 4) - 1.0)).collect();
+    let guide = straight(&source, &source.iter().map(|p| *p + DVec2::X * 12.0).collect::<Vec<_>>());
+    let walked = |obstacles: Vec<Outline>| led(CrowdRules { obstacles, clearance: 0.5, ..rules(12) }, &guide).motion;
+    assert_eq!(walked(room()), walked(Vec::new()));
+}
+
+#[test]
+fn walls_rush_nobody_whom_they_shut_off() {
+    // One to go out of the room, one to come into it, and one with a limit.
+    let guide =
+        straight(&[DVec2::ZERO, DVec2::new(12.0, 2.0), DVec2::new(0.0, -2.0)], &[DVec2::X * 12.0, DVec2::Y * 2.0, DVec2::new(-12.0, -2.0)]);
+    let top_speed = vec![f64::INFINITY, f64::INFINITY, 1.0];
+    let rules = CrowdRules { group: vec![NO_GROUP; 3], obstacles: room(), clearance: 0.5, top_speed, ..rules(3) };
+    let led = led(rules, &guide);
+    // Nobody wants to be faster than half as fast again as the fastest on the guide, and who is pushed by nobody is no faster than that.
+    // The last second takes back what they are off the guide there: a cubic step falls by one and a half of that a second.
+    let stretch = led.motion.times().len() - 31;
+    let left = (stretch..led.motion.times().len()).map(|k| farthest(&led.motion, &guide, k)).fold(0.0, f64::max);
+    assert!(led.motion.top_speed() < 1.5 * guide.top_speed() + 1.5 * left, "{} {}", led.motion.top_speed(), guide.top_speed());
+    assert!(left < 0.5 * guide.top_speed(), "{left}: less than what a look ahead of half a second is");
+}
+
 #[test]
 fn plain_forces_leave_agents_where_they_are_and_say_how_far_that_is() {
     let guide = crossing();

@@ -20,16 +20,24 @@ pub(super) struct Speeds {
     pub(super) greatest: f64,
 }
 
+/// What stands in the way.
+pub(super) struct InTheWay {
+    pub(super) obstacles: Vec<Outline>,
+    /// By agent, whether it goes through: no way leads around.
+    pub(super) goes_through: Vec<bool>,
+}
+
 impl Walkers {
     /// In units, as everything here.
-    pub(super) fn new(rules: &CrowdRules, bodies: Bodies, obstacles: Vec<Outline>, usual_radius: f64, speeds: Speeds) -> Self {
+    pub(super) fn new(rules: &CrowdRules, bodies: Bodies, way: InTheWay, usual_radius: f64, speeds: Speeds) -> Self {
+        let InTheWay { obstacles, goes_through } = way;
         #[cfg(feature = "comparison")]
         if rules.is_reciprocal {
             let Speeds { wished, greatest } = speeds;
             let setting = eigenform_orca::Setting { obstacles, unit: rules.unit, wished, greatest };
             return Self::Reciprocal(Box::new(eigenform_orca::Walkers::new(bodies, setting)));
         }
-        let setting = Setting { obstacles, usual_radius, hurry: speeds.wished, seed: rules.seed };
+        let setting = Setting { obstacles, goes_through, usual_radius, hurry: speeds.wished, seed: rules.seed };
         Self::Forces(Box::new(Crowd::new(rules.constants, rules.feedback, bodies, setting)))
     }
 
