@@ -1,6 +1,7 @@
 //! What avoidance promises, whatever the guide.
 
 mod around;
+mod through;
 
 use eigenform::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Edited};
 use eigenform::motion::{Motion, clashes, sample_times};

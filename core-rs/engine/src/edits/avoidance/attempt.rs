@@ -30,7 +30,7 @@ impl Attempt {
         let clashes = clashes(&motion, problem.avoidance.minimum_distance - SLACK);
         let blocked = problem.avoidance.blocked(&motion, SLACK);
         let open_count =
-            open_count(&clashes, &problem.breaches, &motion) + free_count(&blocked, &problem.breaches, &problem.shut_off);
+            open_count(&clashes, &problem.breaches, &motion) + open_blocks(&blocked, &problem.breaches, &problem.shut_off).count();
         Self { rung, deviation, motion, clashes, blocked, open_count }
     }
 
@@ -55,9 +55,9 @@ impl Attempt {
 }
 
 /// Agents that an obstacle blocks, that no keyframe has too near to it, and that have a way.
-pub(super) fn free_count(blocked: &[Blocked], breaches: &[Breach], shut_off: &[ShutOff]) -> usize {
+pub(super) fn open_blocks<'a>(blocked: &'a [Blocked], breaches: &[Breach], shut_off: &[ShutOff]) -> impl Iterator<Item = &'a Blocked> {
     let is_breach = |at: &Blocked| breaches.iter().any(|breach| breach.agent == at.agent && breach.other == Other::Obstacle(at.obstacle));
-    blocked.iter().filter(|at| !is_breach(at) && !is_among(shut_off, at.agent as usize)).count()
+    blocked.iter().filter(move |at| !is_breach(at) && !is_among(shut_off, at.agent as usize))
 }
 
 /// Clashes of pairs that no keyframe has too near, in the sixth next to it.

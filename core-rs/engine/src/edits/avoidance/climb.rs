@@ -3,10 +3,11 @@
 use eigenform_apart::{Paths, Solver, State};
 
 use super::attempt::Attempt;
+use super::gaps::lead_through;
 use super::is_among;
 use super::problem::Problem;
 use super::reroute::reroute;
-use super::rungs::Rung;
+use super::rungs::{Bend, Rung};
 use super::sampling::{at_knots, at_samples, difference, lifted, sum};
 
 /// Pushes of one step; a few milliseconds.
@@ -48,6 +49,10 @@ impl Climb {
         let Problem { avoidance, guide, ways, shut_off, .. } = problem;
         let knot_count = rung.knot_count(*ways, avoidance.minimum_distance, guide.times().len());
         let mut paths = at_knots(guide, knot_count);
+        if rung.bend == Bend::Close {
+            let free: Vec<usize> = (0..guide.agent_count()).filter(|agent| !is_among(shut_off, *agent)).collect();
+            lead_through(&mut paths, &avoidance.obstacles, avoidance.minimum_distance, &free);
+        }
         if !avoidance.obstacles.is_empty() {
             reroute(&mut paths, avoidance, rung.parting, |agent| is_among(shut_off, agent));
         }

@@ -4,7 +4,7 @@ use super::attempt::Attempt;
 use super::climb::{Climb, ClimbStep};
 use super::problem::Problem;
 use super::reroute::Parting;
-use super::rungs::{Bend, RUNGS};
+use super::rungs::{Bend, RUNGS, Rung};
 use super::streams::Streams;
 use super::warp::{is_sane, stuck, swirl};
 use super::{Avoidance, AvoidanceReport, Edited};
@@ -92,7 +92,7 @@ impl AvoidanceJob {
         let rung = RUNGS[self.rung];
         let distance = problem.avoidance.minimum_distance;
         let climb = Climb::new(&problem, rung, self.rung + 1, |paths| match rung.bend {
-            Bend::No => {}
+            Bend::No | Bend::Close => {}
             Bend::Swirl(width) => {
                 if let Some(best) = &self.best {
                     let is_stuck = stuck(&best.attempt.clashes, &problem.clashes, problem.guide.agent_count());
@@ -105,10 +105,15 @@ impl AvoidanceJob {
     }
 
     /// Keeps an attempt that leaves fewer too near than any before, or as few without haste; a bent one only where it solves and can be
-    /// shown.
+    /// shown. A gap leaves no other way than through it.
     fn keep(&mut self, attempt: Attempt, problem: &Problem) {
         let is_hasty = !is_sane(&attempt, problem);
-        if RUNGS[self.rung].bend != Bend::No && (attempt.open_count > 0 || is_hasty) {
+        let is_wild = match RUNGS[self.rung].bend {
+            Bend::No => false,
+            Bend::Close => attempt.open_count > 0,
+            Bend::Open(_) | Bend::Swirl(_) => attempt.open_count > 0 || is_hasty,
+        };
+        if is_wild {
             return;
         }
         let is_better = |best: &Best| (attempt.open_count, is_hasty) < (best.attempt.open_count, best.is_hasty);
@@ -126,7 +131,13 @@ impl AvoidanceJob {
 
     fn end_rung(&mut self, problem: Problem) -> AvoidanceStep {
         self.rung += 1;
-        while self.streams.is_none() && RUNGS.get(self.rung).is_some_and(|rung| matches!(rung.bend, Bend::Open(_))) {
+        let may_be_gaps = problem.avoidance.obstacles.len() > 1;
+        let is_idle = |rung: &Rung| match rung.bend {
+            Bend::Close => !may_be_gaps,
+            Bend::Open(_) => self.streams.is_none(),
+            _ => false,
+        };
+        while RUNGS.get(self.rung).is_some_and(is_idle) {
             self.rung += 1;
         }
         if self.rung < RUNGS.len() && !self.is_good_enough(&problem) {

@@ -6,6 +6,7 @@
 mod attempt;
 mod breaches;
 mod climb;
+mod gaps;
 mod hull;
 mod job;
 mod meetings;
@@ -90,6 +91,11 @@ impl AvoidanceReport {
     /// Proved: nobody is too near at any moment.
     pub fn is_solved(&self) -> bool {
         self.unsolved.is_empty() && self.blocked.is_empty() && self.breaches.is_empty()
+    }
+
+    /// Who is blocked on the way: whom neither a keyframe nor what shuts them off has to blame.
+    pub fn blocked_on_the_way(&self) -> impl Iterator<Item = &Blocked> {
+        attempt::open_blocks(&self.blocked, &self.breaches, &self.shut_off)
     }
 }
 

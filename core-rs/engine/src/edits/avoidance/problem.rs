@@ -1,6 +1,6 @@
 //! A guide, what to keep apart on it, and what is in the way.
 
-use super::attempt::{free_count, open_count};
+use super::attempt::{open_blocks, open_count};
 use super::breaches::Breach;
 use super::meetings::Lister;
 use super::obstacles::Blocked;
@@ -35,7 +35,7 @@ impl Problem {
     /// Whether somebody comes too near whom no keyframe is to blame for, and can be moved.
     pub(super) fn can_be_mended(&self) -> bool {
         let is_open =
-            open_count(&self.clashes, &self.breaches, &self.guide) + free_count(&self.blocked, &self.breaches, &self.shut_off) > 0;
+            open_count(&self.clashes, &self.breaches, &self.guide) + open_blocks(&self.blocked, &self.breaches, &self.shut_off).count() > 0;
         // Three samples have one between the keyframes; a bump needs two.
         is_open && self.ways.mean > 0.0 && self.guide.times().len() >= 4 && self.breaches.len() < BREACH_LIMIT
     }

@@ -17,7 +17,7 @@ use crate::edits::NO_GROUP;
 const ROUNDS: usize = 3;
 
 /// Beyond the minimum distance, of it: room for the smoothing and the straight pieces.
-const MARGIN: f64 = 0.08;
+pub(super) const MARGIN: f64 = 0.08;
 
 /// Ways that differ by less than 60° are one.
 const SAME_HEADING: f64 = 0.5;
@@ -178,7 +178,7 @@ fn common_heading(paths: &Paths, group: &[usize], leader: usize) -> DVec2 {
 }
 
 /// Whether an agent comes nearer to an outline than the distance.
-fn is_blocked(paths: &Paths, agent: usize, outline: &Outline, distance: f64) -> bool {
+pub(super) fn is_blocked(paths: &Paths, agent: usize, outline: &Outline, distance: f64) -> bool {
     span(paths, agent, outline, distance).is_some()
 }
 

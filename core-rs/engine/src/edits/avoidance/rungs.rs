@@ -33,6 +33,8 @@ pub(super) enum Bend {
     No,
     /// Those who are stuck keep so many minimum distances to their right.
     Swirl(f64),
+    /// Who goes through a gap between two obstacles closes up.
+    Close,
     /// Streams open by so much of what their files need, and lie between one another's.
     Open(f64),
 }
@@ -43,10 +45,12 @@ const STILL: f64 = 1e-4;
 /// Measured on drill shows: the first solves most, each of the others some that are left. Where guides turn and wave, as spectral ones
 /// do, two go side by side for long, and it is those that the stiller rungs push straight apart. Blocks that open by all they need pass
 /// smoothly; where that leads too far, half of it is enough for agents that weave their way.
-pub(super) const RUNGS: [Rung; 15] = [
+pub(super) const RUNGS: [Rung; 17] = [
     Rung { parting: Parting::Ungrouped, ..rung(3.0, 0.4) },
     Rung { parting: Parting::Nothing, ..rung(1.5, 0.4) },
     rung(0.8, 0.3),
+    Rung { bend: Bend::Close, stillness: 0.05, ..rung(1.5, 0.4) },
+    Rung { bend: Bend::Close, stillness: 0.05, ..rung(0.8, 0.3) },
     Rung { bend: Bend::Open(1.0), ..rung(0.8, 0.3) },
     Rung { bend: Bend::Open(0.5), ..rung(0.8, 0.3) },
     Rung { stillness: 0.05, ..rung(1.5, 0.3) },

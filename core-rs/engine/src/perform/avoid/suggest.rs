@@ -44,22 +44,26 @@ const LEAST_DISTANCE: f64 = 0.1;
 
 /// The likeliest first; none where nothing is unsolved or a keyframe alone is to blame.
 pub(super) fn suggestions(report: &AvoidanceReport, motion: &Motion, choice: &Choice, minimum_distance: f64) -> Vec<Suggestion> {
-    let Some(worst) = report.unsolved.iter().min_by(|a, b| a.distance.total_cmp(&b.distance)) else { return Vec::new() };
+    let meetings = report.unsolved.iter().map(|clash| (clash.distance, clash.time));
+    let all = meetings.chain(report.blocked_on_the_way().map(|at| (at.distance, at.time)));
+    let Some((nearest, time)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Vec::new() };
     let mut suggestions = Vec::new();
     let swap = report.unsolved.iter().filter(|clash| swap_gain(motion, clash) > 0.0).min_by(|a, b| a.distance.total_cmp(&b.distance));
     suggestions.extend(swap.map(|clash| Suggestion::Swap { agents: clash.agents }));
-    suggestions.push(Suggestion::Assign);
+    if !report.unsolved.is_empty() {
+        suggestions.push(Suggestion::Assign);
+    }
     if choice.method != MethodName::Linear {
         suggestions.push(Suggestion::Straight);
     }
     if choice.method == MethodName::Spectral && choice.sharing < 1.0 {
         suggestions.push(Suggestion::Sharing { sharing: 1.0 });
     }
-    let kept = (worst.distance * CENTIMETERS).floor() / CENTIMETERS;
+    let kept = (nearest * CENTIMETERS).floor() / CENTIMETERS;
     if (LEAST_DISTANCE..minimum_distance).contains(&kept) {
         suggestions.push(Suggestion::Distance { distance: kept });
     }
-    suggestions.push(Suggestion::Keyframe { time: worst.time });
+    suggestions.push(Suggestion::Keyframe { time });
     suggestions
 }
 
@@ -77,6 +81,7 @@ mod tests {
 
     use super::*;
     use crate::choice::{Alignment, Order};
+    use crate::edits::{Blocked, ShutOff};
 
     #[test]
     fn two_who_cross_are_offered_to_swap_before_anything_else() {
@@ -95,5 +100,12 @@ mod tests {
         ];
         assert_eq!(suggestions(&report, &motion, &choice, 0.5), expected);
         assert_eq!(suggestions(&AvoidanceReport::default(), &motion, &choice, 0.5), []);
+        // An obstacle in the way: a swap and other places are no help, a keyframe where it is nearest is.
+        let blocked = vec![Blocked { distance: -0.2, time: 0.7, agent: 1, obstacle: 0 }];
+        let report = AvoidanceReport { blocked, ..AvoidanceReport::default() };
+        let expected = [Suggestion::Straight, Suggestion::Sharing { sharing: 1.0 }, Suggestion::Keyframe { time: 0.7 }];
+        assert_eq!(suggestions(&report, &motion, &choice, 0.5), expected);
+        let shut_off = vec![ShutOff { agent: 1, obstacle: 0, distance: 0.5 }];
+        assert_eq!(suggestions(&AvoidanceReport { shut_off, ..report }, &motion, &choice, 0.5), []);
     }
 }
