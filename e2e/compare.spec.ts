@@ -38,6 +38,7 @@ test("two methods are measured side by side, and the better one is taken over in
 });
 
 test("both play in step, and the paper's pairs are at hand", async ({ studio, page }) => {
+  await page.emulateMedia({ reducedMotion: "no-preference" });
   await studio.openFirst();
   await page.keyboard.press("Control+k");
   await page.getByRole("combobox", { name: "Search commands" }).fill("compare");

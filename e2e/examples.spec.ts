@@ -5,22 +5,23 @@ import { expect, test } from "./fixtures/studio";
 /** A recording opens otherwise: a story of its own. */
 const EXAMPLES = SECTIONS.flatMap(({ cards }) => cards).filter(({ view }) => view?.kind !== "recording");
 
-test("the first visit sees an example play", async ({ studio }) => {
+test("the first visit sees an example play", async ({ studio, page }) => {
+  await page.emulateMedia({ reducedMotion: "no-preference" });
   await studio.openFirst();
   await expect(studio.button("Pause")).toBeVisible();
   await expect.poll(() => studio.time()).toBeGreaterThan(0.2);
 });
 
-test("nothing moves by itself for who asked for less motion", async ({ studio, page }) => {
-  await page.emulateMedia({ reducedMotion: "reduce" });
+test("nothing moves by itself for who asked for less motion", async ({ studio }) => {
   await studio.openFirst();
   await studio.planned();
   await expect(studio.button("Play")).toBeVisible();
   expect(await studio.time()).toBe(0);
 });
 
-test("every example of the gallery opens and plays, the last one undone step by step", async ({ studio }) => {
+test("every example of the gallery opens and plays, the last one undone step by step", async ({ studio, page }) => {
   test.slow();
+  await page.emulateMedia({ reducedMotion: "no-preference" });
   await studio.openFirst();
   for (const { title, agentCount, keyframeCount } of EXAMPLES) {
     await studio.button("Examples").click();

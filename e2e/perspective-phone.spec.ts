@@ -3,8 +3,6 @@ import { picture } from "./fixtures/picture";
 import { expect, test } from "./fixtures/studio";
 import { touch } from "./fixtures/touch";
 
-test.use({ contextOptions: { reducedMotion: "reduce" } });
-
 test("a phone goes around a show with one finger and nearer with two", async ({ studio, page }) => {
   await studio.openFirst();
   await studio.button("Menu").tap();

@@ -14,6 +14,8 @@ const launchOptions = {
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
+    // Else every page comes with two more, of the browser's own, that nobody sees.
+    "--disable-features=WebUIOmniboxPopup,WebUIOmniboxAimPopup",
   ],
 };
 
@@ -31,6 +33,8 @@ export default defineConfig({
   use: {
     baseURL,
     launchOptions,
+    // Nothing plays by itself or glides, which half of the time would go to; stories of motion ask for it.
+    contextOptions: { reducedMotion: "reduce" },
     // A seventh of the time; `--trace retain-on-failure` where a failure is looked into.
     trace: "off",
     screenshot: "only-on-failure",

@@ -75,8 +75,16 @@ export function ShapeDialog({ request, dialogs }: DialogProps<ShapeOrigin>) {
   }, [pixels, scene, options, count, seed]);
   const slots = useSlots(asked);
   const xy = shownOf(slots);
+  const isPossible = slots.kind === "here" || slots.kind === "working";
+
+  // Who presses while agents are still being arranged need not press again.
+  const [isDue, setDue] = useState(false);
+  useEffect(() => {
+    if (isDue) place();
+  }, [isDue, slots]);
 
   function place(): void {
+    setDue(slots.kind === "working");
     if (slots.kind !== "here") return;
     const places = Array.from(
       { length: slots.xy.length / 2 },
@@ -84,6 +92,11 @@ export function ShapeDialog({ request, dialogs }: DialogProps<ShapeOrigin>) {
     );
     toolbox.placeInView(places, `Place ${kind}`);
     dialogs.close();
+  }
+
+  function change(changes: Partial<ReadingOptions>): void {
+    setDue(false);
+    setOptions((before) => ({ ...before, ...changes }));
   }
 
   return (
@@ -112,7 +125,7 @@ export function ShapeDialog({ request, dialogs }: DialogProps<ShapeOrigin>) {
             reason={noteBefore(ahead, mainTrack(scene).keyframes.length, count)}
             extent={xy && extentOf(xy)}
             units={scene.stage.units}
-            onChange={(change) => setOptions((before) => ({ ...before, ...change }))}
+            onChange={change}
           />
           <p class="shape-says" role="status" data-tone={wordsOf(drawn, slots).tone}>
             {wordsOf(drawn, slots).text}
@@ -128,7 +141,7 @@ export function ShapeDialog({ request, dialogs }: DialogProps<ShapeOrigin>) {
         >
           Arrange anew
         </button>
-        <button type="button" class="button primary" aria-disabled={slots.kind !== "here"} onClick={place}>
+        <button type="button" class="button primary" aria-disabled={!isPossible} onClick={place}>
           {count === 1 ? "Place 1 agent" : `Place ${formatCount(count)} agents`}
         </button>
       </div>
