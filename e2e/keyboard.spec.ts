@@ -89,8 +89,6 @@ test("after a press of New, and after a closed dialog, keys reach the tools", as
 
 test("keyframes are walked, put in another order and deleted by keys", async ({ studio, page }) => {
   await studio.openFirst();
-  await page.keyboard.press("Space");
-  await expect(studio.button("Play")).toBeVisible();
   const names = (): Promise<(string | null)[]> =>
     studio.keyframes.evaluateAll((options) => options.map((option) => option.getAttribute("aria-label")));
   const before = await names();

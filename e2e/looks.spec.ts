@@ -3,8 +3,6 @@ import { expect, test } from "./fixtures/studio";
 
 test("the first page, the empty stage and what tools ask shut nobody out", async ({ studio, page }) => {
   await studio.openFirst();
-  await page.keyboard.press("Space");
-  await expect(studio.button("Play")).toBeVisible();
   await studio.planned();
   await expectOpenToAll(studio, "first page");
 

@@ -3,7 +3,6 @@ import { expect, test } from "./fixtures/studio";
 
 test("modes are a sheet on a phone, and two methods stand one above the other", async ({ studio, page }) => {
   await studio.openFirst();
-  await studio.button("Pause").tap();
   await studio.planned();
   await studio.transitions.first().tap();
   await studio.inspector.getByRole("button", { name: "Modes" }).tap();

@@ -52,7 +52,6 @@ test("the show plays on in perspective, with the same playhead, and the plan is 
   page,
 }) => {
   await studio.openFirst();
-  await studio.button("Pause").click();
   await studio.planned();
   await studio.button("Zoom in").click();
   const zoom = await page.getByRole("group", { name: "Zoom" }).getByRole("status").textContent();

@@ -92,7 +92,6 @@ test("the inspector comes up as a sheet and goes down again", async ({ studio, p
 
 test("nothing is out of reach on a narrow screen", async ({ studio, page }) => {
   await studio.openFirst();
-  await studio.button("Pause").tap();
   const overflow = () =>
     page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   expect(await overflow()).toBe(0);
@@ -108,7 +107,8 @@ test("nothing is out of reach on a narrow screen", async ({ studio, page }) => {
   await page.keyboard.press("Escape");
 });
 
-test("a link that was sent opens on the phone", async ({ studio, visitor }) => {
+test("a link that was sent opens on the phone", async ({ studio, visitor, page }) => {
+  await page.emulateMedia({ reducedMotion: "no-preference" });
   await visitor.makeShow();
   const link = await visitor.link();
   await studio.open(link);

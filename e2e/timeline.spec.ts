@@ -59,8 +59,6 @@ test("who counts reads counts: in the clock, by dragging and by typing", async (
 
 test("a run of keyframes is drawn by keys, reversed and repeated, each one undo away", async ({ studio, page }) => {
   await studio.openFirst();
-  await page.keyboard.press("Space");
-  await expect(studio.button("Play")).toBeVisible();
   const before = await names(page);
   const [a = "", b = "", c = "", ...rest] = before;
   await studio.keyframes.first().focus();

@@ -2,7 +2,6 @@ import { expect, test } from "./fixtures/studio";
 
 test("on a phone the inspector makes way for the path, and buttons stand for keys", async ({ studio, page }) => {
   await studio.openFirst();
-  await studio.button("Pause").tap();
   await studio.transitions.first().tap();
   await studio.inspector.getByRole("button", { name: "Draw a path" }).tap();
   await expect(studio.inspector).not.toBeInViewport();
