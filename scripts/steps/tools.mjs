@@ -47,7 +47,7 @@ async function checkTarget() {
   await step("Adding Rust's browser target", () => run("rustup", ["target", "add", WASM_TARGET]));
 }
 
-/** Not `npm ci`: it refuses a lock file without the optional packages of other systems, which not every registry has. */
+/** Not `npm ci`: it insists on optional packages of systems other than this one. */
 async function installPackages() {
   const hash = await hashOf(["package.json", "package-lock.json"], [process.versions.node]);
   const areThere = () =>

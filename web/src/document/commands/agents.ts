@@ -1,3 +1,4 @@
+import { type Box, boxOf } from "../box";
 import { DEFAULT_AGENT } from "../defaults";
 import { chooseAllAgain, updateKeyframe, updateTrack } from "../edit";
 import type { Formation, Point } from "../formation";
@@ -7,20 +8,27 @@ import type { Command } from "../store";
 import { followNodes } from "./nodes";
 import { dropFromAdjacency, dropFromGroups, dropFromLocks, pathAfterDrop } from "./reindex";
 
-/** Move some agents at one keyframe, meters. */
+/** Move some agents at one keyframe, meters: together as far as the one in front can go. */
 export function moveAgents(keyframe: number, agents: ReadonlySet<number>, by: Point, label = "Move agents"): Command {
   return {
     label,
     apply: (scene) => {
       const positions = mainTrack(scene).keyframes[keyframe]?.positions;
-      if (!positions || agents.size === 0 || (by[0] === 0 && by[1] === 0)) return scene;
+      const box = positions && boxOf(positions, agents);
+      if (!box || (by[0] === 0 && by[1] === 0)) return scene;
+      const [right, up] = [possible(by[0], box, 0), possible(by[1], box, 1)];
       return putAgents(
         scene,
         keyframe,
-        [...agents].map((a) => [a, [positions.x(a) + by[0], positions.y(a) + by[1]]]),
+        [...agents].map((a) => [a, [positions.x(a) + right, positions.y(a) + up]]),
       );
     },
   };
+}
+
+/** How far a box can go along an axis, of the way it is to go; meters. */
+function possible(way: number, { min, max }: Box, axis: 0 | 1): number {
+  return Math.max(-LIMITS.coordinate - min[axis], Math.min(LIMITS.coordinate - max[axis], way));
 }
 
 /** Put one agent at exact coordinates, meters. */

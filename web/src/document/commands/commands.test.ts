@@ -218,3 +218,23 @@ function plain(scene: Scene): unknown {
     })),
   };
 }
+
+test("agents who are moved together keep their distances, at the edge of what a scene holds too", () => {
+  const places: Point[] = [
+    [0, 0],
+    [3, 1],
+    [-2, 5],
+  ];
+  const far = fc.double({ min: -3e5, max: 3e5, noNaN: true });
+  fc.assert(
+    fc.property(far, far, (x, y) => {
+      const scene = agents.addAgents(places).apply(emptyScene());
+      const moved = mainTrack(agents.moveAgents(0, new Set([0, 1, 2]), [x, y]).apply(scene)).keyframes[0]?.positions;
+      for (const [agent, [px, py]] of places.entries()) {
+        // Coordinates up to 1e5 are sums of two: each is off by no more than half of its last digit, 7.3e-12.
+        expect(moved?.x(agent)).toBeCloseTo((moved?.x(0) ?? Number.NaN) + px, 10);
+        expect(moved?.y(agent)).toBeCloseTo((moved?.y(0) ?? Number.NaN) + py, 10);
+      }
+    }),
+  );
+});

@@ -62,7 +62,7 @@ fn find_payload(text: &str) -> Result<&str, Error> {
         return Err(if MARK.ends_with(marked) || "s".starts_with(marked) { Error::LinkCut } else { Error::NotALink });
     };
     // What stands behind an ampersand says how a scene is shown, not what it is.
-    let versioned = versioned.split('&').next().unwrap_or(versioned);
+    let versioned = without_escapes(versioned.split('&').next().unwrap_or(versioned));
     let (version, payload) = versioned.split_once('.').unwrap_or((versioned, ""));
     if !version.bytes().all(|c| c.is_ascii_digit()) || version.starts_with('0') {
         return Err(Error::LinkDamaged);
@@ -76,6 +76,24 @@ fn find_payload(text: &str) -> Result<&str, Error> {
 /// What a link is pasted with.
 fn is_packing(c: char) -> bool {
     c.is_whitespace() || c.is_control() || "<>()[]{}\"'`“”‘’«»„.,;:!?\u{200b}\u{feff}".contains(c)
+}
+
+/// The text without what it was pasted with, where a browser has escaped that: `%3E.`
+fn without_escapes(text: &str) -> &str {
+    let Some((kept, escaped)) = text.find('%').map(|at| text.split_at(at)) else { return text };
+    let is_only_packing = unescape(escaped).and_then(|bytes| String::from_utf8(bytes).ok()).is_some_and(|end| end.chars().all(is_packing));
+    if is_only_packing { kept } else { text }
+}
+
+/// The bytes of a percent-encoded text; none where a `%` stands before anything but two hexadecimal digits.
+fn unescape(text: &str) -> Option<Vec<u8>> {
+    let digit = |byte: Option<u8>| char::from(byte?).to_digit(16);
+    let mut bytes = text.bytes();
+    let mut found = Vec::new();
+    while let Some(byte) = bytes.next() {
+        found.push(if byte == b'%' { (16 * digit(bytes.next())? + digit(bytes.next())?) as u8 } else { byte });
+    }
+    Some(found)
 }
 
 /// The length of the body and how many bytes say so.
@@ -152,6 +170,9 @@ mod tests {
             ("(\"", "\")."),
             ("[", "]"),
             ("„", "“,"),
+            ("<https://example.org/", "%3E."),
+            ("https://example.org/", "%20"),
+            ("https://example.org/", "%E2%80%9d!%29"),
         ] {
             assert_eq!(unwrap(&format!("{before}{link}{after}")), Ok(b"body".to_vec()), "{before}…{after}");
         }
@@ -179,6 +200,9 @@ mod tests {
             ("#s=0.AAAA", Error::LinkDamaged),
             ("#s=one.AAAA", Error::LinkDamaged),
             ("#s=1.AA*A", Error::LinkDamaged),
+            ("#s=1.AAAA%3EAAAA", Error::LinkDamaged),
+            ("#s=1.AAAA%3", Error::LinkDamaged),
+            ("#s=1.AAAA%E2%80", Error::LinkDamaged),
             ("#s=1._____w", Error::LinkDamaged),
         ] {
             assert_eq!(unwrap(text), Err(error), "{text}");
