@@ -9,7 +9,7 @@ import { useStudio } from "../studio";
 import type { KeyframeHands } from "./keyframe-keys";
 import { KeyframeOption } from "./keyframe-option";
 import { LaterDrag } from "./later-drag";
-import { keyframePlaces } from "./layout";
+import { keyframePlaces, nameWidths } from "./layout";
 import { THUMBNAIL_WIDTH, xOf } from "./scale";
 import { useAgentColors, usePalette } from "./use-paint";
 import type { Viewport } from "./viewport";
@@ -38,6 +38,8 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
   const state = dragging.state.value;
   const paint = { colors: useAgentColors().value, palette: usePalette() };
   const active = Math.min(document.activeKeyframe.value, keyframes.length - 1);
+
+  const names = nameWidths(places, active);
 
   const isSelected = (index: number) =>
     selection.kind === "keyframe" && (selection.index === index || isInRun(run, index));
@@ -113,6 +115,7 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
               name={keyframeLabel(scene, index)}
               keyframe={keyframe}
               place={place}
+              nameWidth={names[index] ?? 0}
               isSelected={isSelected(index)}
               isFocusable={index === active}
               breachCount={

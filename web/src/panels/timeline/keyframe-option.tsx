@@ -13,6 +13,8 @@ export interface KeyframeOptionProps {
   readonly name: string;
   readonly keyframe: Keyframe;
   readonly place: KeyframePlace;
+  /** Room for the name below, CSS pixels; 0 where it shows only under the pointer. */
+  readonly nameWidth: number;
   readonly isSelected: boolean;
   readonly isFocusable: boolean;
   /** How many stand too near to another or to an obstacle. */
@@ -52,9 +54,15 @@ export function KeyframeOption(props: KeyframeOptionProps) {
         </i>
       )}
       <span class="thumbnail">{props.paint && <Thumbnail formation={keyframe.positions} {...props.paint} />}</span>
-      <span class="keyframe-name">{mark === "dragged" ? shortTime(Math.round(keyframe.time * 100) / 100) : name}</span>
+      <span ref={roomForName(props.nameWidth)} class={props.nameWidth > 0 ? "keyframe-name" : "keyframe-name is-aside"}>
+        {mark === "dragged" ? shortTime(Math.round(keyframe.time * 100) / 100) : name}
+      </span>
     </div>
   );
+}
+
+function roomForName(width: number): (element: HTMLElement | null) => void {
+  return (element) => element?.style.setProperty("--room", width > 0 ? `${width}px` : "max-content");
 }
 
 function description({ time, hold }: Keyframe, isCorner: boolean, breachCount: number): string {

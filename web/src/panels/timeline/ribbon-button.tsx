@@ -6,6 +6,7 @@ import type { Scene } from "../../document/scene";
 import { formatTime, lengthWithUnit } from "../../document/units";
 import type { Approach } from "../../engine/api";
 import { closestWords } from "../closest";
+import { StatusWedge } from "../status";
 import { useStudio } from "../studio";
 import { shortTime } from "./clock";
 import type { TransitionPlace } from "./layout";
@@ -53,6 +54,10 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
 
   const choose = (clientX: number, element: Element) => {
     document.selection.value = { kind: "transition", index };
+    if (place.isMark) {
+      playback.seek(timeAt(scale, place.middle));
+      return;
+    }
     const box = element.getBoundingClientRect();
     const x = clientX - box.left;
     const isOnMark = (status === "tight" || status === "clash") && Math.abs(x - cut) < 8;
@@ -61,7 +66,7 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
   };
 
   return (
-    <li ref={placed(place.left, place.width)} class="ribbon-place">
+    <li ref={placed(place.left, place.width)} class={place.isMark ? "ribbon-place is-mark" : "ribbon-place"}>
       <button
         type="button"
         class={progress === null ? `ribbon is-${status}` : `ribbon is-${status} is-planning`}
@@ -73,19 +78,26 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
           if (event.detail > 0) choose(event.clientX, event.currentTarget);
           else document.selection.value = { kind: "transition", index };
         }}
+        onFocus={(event) => {
+          if (event.currentTarget.matches(":focus-visible")) viewport.reveal(timeAt(scale, place.middle));
+        }}
       >
-        <svg width={place.width} height={HEIGHT} aria-hidden="true">
-          <g transform={`translate(${inset} 0)`}>
-            <path
-              class="wedge-shape"
-              d={ribbonPath(status, width, HEIGHT, moment)}
-              fill={`url(#ribbon-${status}-${isSelected ? "chosen" : "quiet"})`}
-            />
-            {progress !== null && <path class="progress" d={ribbonStart(progress, width, HEIGHT)} />}
-          </g>
-          {was !== null && status !== "clash" && <path class="was" d={bar(was)} />}
-          {status === "clash" && <path class="cut" d={bar(cut)} />}
-        </svg>
+        {place.isMark ? (
+          <StatusWedge status={status} />
+        ) : (
+          <svg width={place.width} height={HEIGHT} aria-hidden="true">
+            <g transform={`translate(${inset} 0)`}>
+              <path
+                class="wedge-shape"
+                d={ribbonPath(status, width, HEIGHT, moment)}
+                fill={`url(#ribbon-${status}-${isSelected ? "chosen" : "quiet"})`}
+              />
+              {progress !== null && <path class="progress" d={ribbonStart(progress, width, HEIGHT)} />}
+            </g>
+            {was !== null && status !== "clash" && <path class="was" d={bar(was)} />}
+            {status === "clash" && <path class="cut" d={bar(cut)} />}
+          </svg>
+        )}
         {place.width >= ROOM_FOR_NUMBER && (
           <span ref={labels} class="ribbon-labels number">
             <span class="known">

@@ -6,35 +6,29 @@ import { Ribbon } from "./ribbon-button";
 import { transitionState } from "./transition-state";
 import type { Viewport } from "./viewport";
 
-const LEAST_WIDTH = 8;
-
 /** The transitions between the keyframes, as ribbons. */
 export function Ribbons({ viewport }: { viewport: Viewport }) {
   const { document, planner } = useStudio();
   const scene = document.scene.value;
   const { keyframes } = mainTrack(scene);
   const places = transitionPlaces(keyframePlaces(keyframes, viewport.scale.value));
-  const { from, to } = viewport.drawn.value;
   const plans = planner.segments.value;
   const selection = document.selection.value;
   return (
     <>
       <RibbonPaints />
       <ul class="ribbons" aria-label="Transitions">
-        {places.map((place, index) => {
-          if (place.width < LEAST_WIDTH || place.left + place.width < from || place.left > to) return null;
-          return (
-            <Ribbon
-              key={index}
-              index={index}
-              names={`${keyframeLabel(scene, index)} to ${keyframeLabel(scene, index + 1)}`}
-              place={place}
-              state={transitionState(plans[index], scene.minimumDistance)}
-              isSelected={selection.kind === "transition" && selection.index === index}
-              viewport={viewport}
-            />
-          );
-        })}
+        {places.map((place, index) => (
+          <Ribbon
+            key={index}
+            index={index}
+            names={`${keyframeLabel(scene, index)} to ${keyframeLabel(scene, index + 1)}`}
+            place={place}
+            state={transitionState(plans[index], scene.minimumDistance)}
+            isSelected={selection.kind === "transition" && selection.index === index}
+            viewport={viewport}
+          />
+        ))}
       </ul>
     </>
   );
