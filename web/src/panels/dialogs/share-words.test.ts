@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { brokenWords, fitWords, isPast, LINK_LIMITS, meterPlace, roundingWords } from "./share-words";
+import { brokenWords, fitWords, isPast, LINK_LIMITS, meterPlace, roundingWords, savingWords } from "./share-words";
 
 test.each([
   [1200, "Pastes whole anywhere and fits a QR code."],
@@ -22,6 +22,17 @@ test("a longer link stands further along the meter, and never beyond its ends", 
   expect(places).toEqual([...places].sort((a, b) => a - b));
   expect(places.at(0)).toBe(0);
   expect(places.at(-1)).toBe(1);
+});
+
+test.each([
+  [1000, 999, null],
+  [500, 401, null],
+  [4000, 3650, null],
+  [300, 400, null],
+  [500, 400, "saves 100 characters by rounding positions"],
+  [4000, 2500, "saves 1,500 characters by rounding positions"],
+])("a shorter link is offered when it is worth it: %d and %d characters", (exact, short, words) => {
+  expect(savingWords(exact, short)).toBe(words);
 });
 
 test.each([

@@ -19,6 +19,10 @@ export const LINK_LIMITS: readonly LinkLimit[] = [
 const SHORTEST = 300;
 const LONGEST = 33_000;
 
+/** Less than both is no reason to round: characters, and a share of the link. */
+const LEAST_SAVING = 100;
+const LEAST_SHARE = 0.1;
+
 /** Where a length stands on the meter, 0..1, by its logarithm. */
 export function meterPlace(characters: number): number {
   const share = Math.log(characters / SHORTEST) / Math.log(LONGEST / SHORTEST);
@@ -37,6 +41,13 @@ export function fitWords(characters: number): string {
   if (cut.length === 1) return "Pastes whole into Discord and Slack. Too long for a QR code.";
   if (cut.length === 2) return "Pastes whole into Slack. Discord would cut it.";
   return "Any browser opens it. Discord and Slack would cut it, so send it by mail or save a file.";
+}
+
+/** What the shorter link saves, in words; null where that is not worth rounding for. Lengths of both links, characters. */
+export function savingWords(exact: number, short: number): string | null {
+  const saved = exact - short;
+  if (saved < LEAST_SAVING || saved < exact * LEAST_SHARE) return null;
+  return `saves ${formatCount(saved)} characters by rounding positions`;
 }
 
 /** How far rounding moves an agent, in words: 0 is exact. */

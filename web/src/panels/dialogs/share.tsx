@@ -11,7 +11,7 @@ import { useStudio } from "../studio";
 import { Frame, focusLate } from "./frame";
 import type { DialogProps } from "./host";
 import { LinkMeter } from "./link-meter";
-import { brokenWords, fitWords, roundingWords } from "./share-words";
+import { brokenWords, fitWords, roundingWords, savingWords } from "./share-words";
 import { useAnswer } from "./use-answer";
 
 /** The whole scene in one link: how long it is, where it fits, and what shortening it costs. */
@@ -36,7 +36,14 @@ export function ShareDialog({ services, dialogs }: DialogProps) {
           <LinkRow link={services.address + wanted.value.fragment} />
           <Length characters={services.address.length + wanted.value.fragment.length} />
           {exact.kind === "here" && short.kind === "here" && (
-            <ShorterRow exact={exact.value} short={short.value} isShort={isShort} onToggle={setShort} />
+            <ShorterRow
+              saving={savingWords(
+                services.address.length + exact.value.fragment.length,
+                services.address.length + short.value.fragment.length,
+              )}
+              isShort={isShort}
+              onToggle={setShort}
+            />
           )}
           <Cost report={wanted.value} scene={scene} />
         </>
@@ -102,20 +109,18 @@ function Length({ characters }: { characters: number }) {
 }
 
 interface ShorterRowProps {
-  readonly exact: LinkReport;
-  readonly short: LinkReport;
+  readonly saving: string | null;
   readonly isShort: boolean;
   onToggle(isShort: boolean): void;
 }
 
-/** Absent where rounding would not save anything. */
-function ShorterRow({ exact, short, isShort, onToggle }: ShorterRowProps) {
-  const saved = exact.fragment.length - short.fragment.length;
-  if (saved <= 0) return null;
+/** Absent where rounding would save little. */
+function ShorterRow({ saving, isShort, onToggle }: ShorterRowProps) {
+  if (!saving) return null;
   return (
     <label class="option-row">
       <span>
-        Shorter link <small>saves {formatCount(saved)} characters by rounding positions</small>
+        Shorter link <small>{saving}</small>
       </span>
       <input
         type="checkbox"
