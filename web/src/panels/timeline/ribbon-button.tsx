@@ -8,10 +8,10 @@ import type { Approach } from "../../engine/api";
 import { closestWords } from "../closest";
 import { StatusWedge } from "../status";
 import { useStudio } from "../studio";
-import { shortTime } from "./clock";
 import type { TransitionPlace } from "./layout";
 import { placed } from "./place";
 import { momentX, ribbonPath, ribbonStart } from "./ribbon";
+import { ribbonName } from "./ribbon-name";
 import { timeAt } from "./scale";
 import { METHOD_WORDS, type TransitionState } from "./transition-state";
 import type { Viewport } from "./viewport";
@@ -71,7 +71,7 @@ export function Ribbon({ index, names, place, state, isSelected, viewport }: Rib
         type="button"
         class={progress === null ? `ribbon is-${status}` : `ribbon is-${status} is-planning`}
         aria-pressed={isSelected}
-        aria-label={description(names, state, method, near)}
+        aria-label={ribbonName(names, state, near)}
         aria-description={before ? beforeWords(document.scene.value, before) : undefined}
         data-tip={before ? beforeWords(document.scene.value, before) : undefined}
         onClick={(event) => {
@@ -136,16 +136,4 @@ function useSeenPart({ left, width }: TransitionPlace, viewport: Viewport): Ref<
   useSignalEffect(stand);
   useLayoutEffect(stand);
   return element;
-}
-
-function description(
-  names: string,
-  { status, plan, words, closest, progress }: TransitionState,
-  method: string,
-  near: string | null,
-): string {
-  if (!plan || progress !== null) return `Transition ${names}: ${words}`;
-  if (!near || !closest) return `Transition ${names}: ${method}`;
-  const where = status === "holds" ? "" : ` at ${shortTime(Math.round(closest.time * 10) / 10)}`;
-  return `Transition ${names}: ${method}, ${status}, ${closest.distance > 0 ? "clearance " : ""}${near}${where}`;
 }

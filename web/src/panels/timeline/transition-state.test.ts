@@ -1,6 +1,7 @@
 import { expect, test } from "vitest";
 import type { SegmentPlan } from "../../engine/api";
 import { SegmentMotion } from "../../playback/motion";
+import { ribbonName } from "./ribbon-name";
 import { transitionState } from "./transition-state";
 
 function plan(distance: number | null): SegmentPlan {
@@ -64,4 +65,12 @@ test("whoever could not be led around an obstacle is what comes nearest", () => 
   const blocked = [{ distance: -0.2, time: 0.7, agent: 0, obstacle: 0 }];
   const state = transitionState({ kind: "ready", plan: { ...now, report: { ...now.report, blocked } } }, 1);
   expect(state).toMatchObject({ status: "clash", closest: { distance: -0.2, time: 0.7 } });
+});
+
+test.each([
+  [1, "Transition A to B: Polar, holds, clearance 1.14 m"],
+  [2, "Transition A to B: Polar, clash, clearance 1.14 m at 0:00.5"],
+  [0, "Transition A to B: Polar, clearance 1.14 m at 0:00.5"],
+])("with a minimum distance of %d m a ribbon is called %s", (minimum, name) => {
+  expect(ribbonName("A to B", transitionState({ kind: "ready", plan: plan(1.14) }, minimum), "1.14 m")).toBe(name);
 });
