@@ -80,6 +80,15 @@ describe("show", () => {
     expect(planned.motionOf(0)).toBe(motion);
   });
 
+  it("a placeholder is told from a motion and from a formation that stands", () => {
+    const motion = new SegmentMotion(Float64Array.of(3, 7), new Float32Array(8), 2);
+    const planned = new Show(track, [motion, null]);
+    expect([0, 3, 5, 7, 8, 9, 99].map((time) => planned.isBlendedAt(time))).toEqual([
+      ...[false, false, false, false],
+      ...[true, false, false],
+    ]);
+  });
+
   it("a motion of a scene that has changed since is not played", () => {
     const retimed = new SegmentMotion(Float64Array.of(3, 6), new Float32Array(8), 2);
     const others = new SegmentMotion(Float64Array.of(3, 7), new Float32Array(12), 3);

@@ -57,6 +57,12 @@ export class Show {
     return this.motions[segment] ?? null;
   }
 
+  /** Whether what is drawn at `time` only stands in for a motion that is not there: nobody is said to clash in it. */
+  isBlendedAt(time: number): boolean {
+    const segment = this.segmentAt(time);
+    return segment !== null && this.motionOf(segment) === null;
+  }
+
   /** Who is not there at `time`, ascending. */
   absentAt(time: number): readonly number[] {
     const index = this.keyframeBefore(time);

@@ -122,16 +122,16 @@ export function createMotionPainter(
   }
 
   return (context, isSparing) => {
-    const { scene, layers } = picture;
+    const { scene, show, layers, time } = picture;
     context.clearRect(0, 0, frame.size.width, frame.size.height);
     turns.draw(context, frame, isSparing);
     if (frame.cast.bodies) bodies()?.drawBodies(context, frame, picture.isMarked);
     drawAgents(context, frame);
-    if (frame.presence) absent()?.drawAbsent(context, frame, picture.show.segmentAt(picture.time) === null);
+    if (frame.presence) absent()?.drawAbsent(context, frame, show.segmentAt(time) === null);
     if (frame.cast.bodies) bodies()?.drawCores(context, frame, picture.isMarked);
     if (layers.names) drawNames(context, frame);
     if (frame.heights && picture.areHeightsShown) heights()?.drawHeights(context, frame, scene.stage.units);
-    if (scene.minimumDistance > 0) {
+    if (scene.minimumDistance > 0 && !show.isBlendedAt(time)) {
       clashes.find(frame.places, scene.minimumDistance, frame.heights, frame.isGone);
       if (clashes.count > 0) marks()?.drawClashes(context, frame, clashes, scene.minimumDistance, scene.stage.units);
     }

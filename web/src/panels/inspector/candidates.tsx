@@ -11,8 +11,15 @@ import { methodWord } from "./words";
 /** Above this auto tries fewer. */
 const MANY_AGENTS = 400;
 
+interface CandidatesProps {
+  readonly report: SegmentReport;
+  readonly isAuto: boolean;
+  /** Of a motion that another is planned in place of. */
+  readonly isFormer: boolean;
+}
+
 /** The methods that were tried and what was measured of each: the table from which auto chose. */
-export function Candidates({ report, isAuto }: { report: SegmentReport; isAuto: boolean }) {
+export function Candidates({ report, isAuto, isFormer }: CandidatesProps) {
   const { document } = useStudio();
   const [isWhole, setWhole] = useState(false);
   const { candidates } = report;
@@ -20,7 +27,7 @@ export function Candidates({ report, isAuto }: { report: SegmentReport; isAuto: 
   const rows = isWhole ? allOfThem(candidates) : bestOfEach(candidates);
   const title = isAuto ? `Why auto chose ${methodWord(report.choice.method)}` : "Methods compared";
   return (
-    <Section title={title} note="lower score is better">
+    <Section title={title} note="lower score is better" isFormer={isFormer}>
       <table class="candidates number">
         <thead>
           <tr>

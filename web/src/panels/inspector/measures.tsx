@@ -21,8 +21,15 @@ const LITTLE_TURNING = (5 * Math.PI) / 180;
 
 const MovementMeasures = lazily(() => import("./movement-measures").then((part) => part.MovementMeasures));
 
+interface MeasuresProps {
+  readonly plan: SegmentPlan;
+  readonly index: number;
+  /** Of a motion that another is planned in place of. */
+  readonly isFormer: boolean;
+}
+
 /** How well a transition keeps the group together: over time, and in its worst moment. */
-export function Measures({ plan, index }: { plan: SegmentPlan; index: number }) {
+export function Measures({ plan, index, isFormer }: MeasuresProps) {
   const { document } = useStudio();
   const scene = document.scene.value;
   const { units } = scene.stage;
@@ -33,7 +40,12 @@ export function Measures({ plan, index }: { plan: SegmentPlan; index: number }) 
   const speed = report.topSpeed;
   const held = report.heldClearance;
   return (
-    <Section title="Measures" note={`over ${formatDuration(end - start)}`} isRegion>
+    <Section
+      title="Measures"
+      note={isFormer ? "of the motion before" : `over ${formatDuration(end - start)}`}
+      isRegion
+      isFormer={isFormer}
+    >
       {clearance && (
         <Measure
           label="Clearance"

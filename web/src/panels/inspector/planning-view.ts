@@ -10,17 +10,21 @@ export interface PlanningView {
   readonly words: string;
   /** The motion shown, of the scene as it is or, while planning, as it was. */
   readonly plan: SegmentPlan | null;
+  /** The motion shown is of the scene as it was. */
+  readonly isFormer: boolean;
   readonly isCanceled: boolean;
   readonly problem: EngineProblem | null;
 }
 
 export function planningView(planning: Planning | undefined, minimum: number, units: Units): PlanningView {
-  const quiet = { status: "none", plan: null, isCanceled: false, problem: null } as const;
+  const quiet = { status: "none", plan: null, isFormer: false, isCanceled: false, problem: null } as const;
   switch (planning?.kind) {
     case undefined:
       return { ...quiet, words: "Planning" };
-    case "planning":
-      return { ...quiet, words: `Planning, ${Math.floor(planning.progress * 100)} %`, plan: planning.stale };
+    case "planning": {
+      const words = `Planning, ${Math.floor(planning.progress * 100)} %`;
+      return { ...quiet, words, plan: planning.stale, isFormer: planning.stale !== null };
+    }
     case "canceled":
       return { ...quiet, words: "Canceled", isCanceled: true };
     case "failed":

@@ -1,7 +1,14 @@
 import type { ComponentChildren } from "preact";
 
 /** A part of the inspector, parted from the one above by a line. */
-export function Section(props: { title?: string; note?: string; isRegion?: boolean; children: ComponentChildren }) {
+export function Section(props: {
+  title?: string;
+  note?: string;
+  isRegion?: boolean;
+  isFormer?: boolean;
+  children: ComponentChildren;
+}) {
+  const look = props.isFormer ? "inspector-section is-former" : "inspector-section";
   const heading = props.title !== undefined && (
     <h3>
       {props.title} {props.note && <span>{props.note}</span>}
@@ -9,14 +16,14 @@ export function Section(props: { title?: string; note?: string; isRegion?: boole
   );
   if (props.isRegion && props.title !== undefined) {
     return (
-      <section class="inspector-section" aria-label={props.title}>
+      <section class={look} aria-label={props.title}>
         {heading}
         {props.children}
       </section>
     );
   }
   return (
-    <div class="inspector-section">
+    <div class={look}>
       {heading}
       {props.children}
     </div>

@@ -4,6 +4,7 @@ import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { WordAction } from "../action-button";
 import { lazily } from "../lazily";
+import { usePlanningWorthSaying } from "../stage-edge/use-planning-worth-saying";
 import { StatusPill } from "../status";
 import { useStudio } from "../studio";
 import { Candidates } from "./candidates";
@@ -24,6 +25,7 @@ const SpreadOut = lazily(() => import("./spread-out").then((part) => part.Spread
 /** How one formation becomes the next, how well, and why so. */
 export function TransitionPanel({ index }: { index: number }) {
   const { document, planner } = useStudio();
+  const isLong = usePlanningWorthSaying();
   const scene = document.scene.value;
   const track = mainTrack(scene);
   const segment = track.segments[index];
@@ -31,6 +33,7 @@ export function TransitionPanel({ index }: { index: number }) {
   if (!segment || !from || !to) return null;
   const leaving = from.time + from.hold;
   const view = planningView(planner.segments.value[index], scene.minimumDistance, scene.stage.units);
+  const isFormer = view.isFormer && isLong.value;
   return (
     <>
       <Head kind="Transition" aside={view.words && <StatusPill status={view.status}>{view.words}</StatusPill>}>
@@ -49,12 +52,12 @@ export function TransitionPanel({ index }: { index: number }) {
         <TransitionOptions index={index} segment={segment} choice={view.plan?.report.choice ?? segment.chosen} />
         <PlanningNote view={view} />
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
-        {view.plan?.report.hurried && <HurryNote index={index} hurried={view.plan.report.hurried} />}
+        {view.plan?.report.hurried && !isFormer && <HurryNote index={index} hurried={view.plan.report.hurried} />}
         {segment.avoidance && <SpreadOut key={index} index={index} report={view.plan?.report ?? null} />}
       </Section>
       <PathPart key={`path ${index}`} index={index} segment={segment} />
       <AssignmentPart key={index} index={index} segment={segment} />
-      {view.plan && <Measures plan={view.plan} index={index} />}
+      {view.plan && <Measures plan={view.plan} index={index} isFormer={isFormer} />}
       <Section>
         <div class="inspector-buttons">
           <WordAction id="compare" class="button">
@@ -65,7 +68,7 @@ export function TransitionPanel({ index }: { index: number }) {
           </WordAction>
         </div>
       </Section>
-      {view.plan && <Candidates report={view.plan.report} isAuto={segment.method === "auto"} />}
+      {view.plan && <Candidates report={view.plan.report} isAuto={segment.method === "auto"} isFormer={isFormer} />}
     </>
   );
 }

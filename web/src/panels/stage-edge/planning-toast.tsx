@@ -1,25 +1,16 @@
-import { keyframeLabel } from "../../document/queries";
-import { formatCount } from "../../document/units";
 import { useStudio } from "../studio";
+import { planningWords } from "./planning-words";
 
 /** What the engine is at, how far it is, and the way to stop it. */
 export function PlanningToast() {
   const { document, planner } = useStudio();
-  const scene = document.scene.value;
-  const planned = planner.segments.value.flatMap((segment, index) => (segment.kind === "planning" ? [index] : []));
-  const [only] = planned;
-  const progress = planner.progress.value ?? 0;
+  const { segments, progress: ofAll } = planner;
+  const { what, progress, percent } = planningWords(document.scene.value, segments.value, ofAll.value ?? 0);
   return (
     <div class="toast planning">
       <ProgressRibbon progress={progress} />
       <p>
-        Planning{" "}
-        <strong>
-          {planned.length === 1 && only !== undefined
-            ? `${keyframeLabel(scene, only)} → ${keyframeLabel(scene, only + 1)}`
-            : `${formatCount(planned.length)} transitions`}
-        </strong>{" "}
-        <span class="number unit">{Math.floor(progress * 100)} %</span>
+        Planning <strong>{what}</strong> <span class="number unit">{percent}</span>
       </p>
       <button type="button" class="button soft" onClick={() => planner.cancel()}>
         Cancel

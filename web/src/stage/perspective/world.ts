@@ -137,7 +137,7 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
     meetable.height = kind === "figures" ? sizes.figure : DISC_HEIGHT * sizes.disc;
     meetable.radius = markRadius(kind, sizes);
     trail();
-    clashes.find(crowd.xy, picture.minimumDistance, show.isSpatial ? crowd.heights : null);
+    clashes.find(crowd.xy, show.isBlendedAt(time) ? 0 : picture.minimumDistance, show.isSpatial ? crowd.heights : null);
   }
 
   /** Ties and hulls, which give way where they crowd the screen. */
