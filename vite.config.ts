@@ -16,13 +16,14 @@ export default defineConfig({
     chunkSizeWarningLimit: 640,
     modulePreload: { polyfill: false },
     rolldownOptions: {
-      // What is needed at first travels in one piece, and so does what panels share: many small chunks compress worse, ask
+      // What is needed at first travels in one piece, and so do controls and commands: many small chunks compress worse, ask
       // for more requests, and the first piece would have to name each.
       output: {
         codeSplitting: {
           groups: [
             { name: "first", tags: ["$initial"], priority: 1 },
             { name: "controls", test: /panels.(controls|inspector)|lucide/, minShareCount: 2 },
+            { name: "edits", test: /document.(commands|edit|limits|box|snap|round)/, minShareCount: 2 },
           ],
         },
       },

@@ -9,7 +9,7 @@ import { later } from "./later";
 import { createAgentsLayer } from "./layers/agents";
 import { drawHulls } from "./layers/hulls";
 import { drawNames } from "./layers/names";
-import { drawFormerPaths, drawPathsToCome, drawStraightPaths } from "./layers/paths";
+import { drawPathsToCome, drawStraightPaths } from "./layers/paths";
 import { drawCuts, drawTies } from "./layers/ties";
 import { createTrailsLayer } from "./layers/trails";
 import { createTurns } from "./layers/turns";
@@ -55,6 +55,8 @@ const inTheWay = later(() => import("./layers/obstacles"));
 const absent = later(() => import("./layers/absent"));
 /** Mostly nobody has a size of their own. */
 const bodies = later(() => import("./layers/bodies"));
+/** Nothing is planned anew before something is changed. */
+const formerPaths = later(() => import("./layers/former-paths"));
 const edges = later(() => import("./layers/hull-edge"));
 /** Most shows are on the plane. */
 const heights = later(() => import("./layers/heights"));
@@ -100,9 +102,11 @@ export function createMotionPainter(
     const target = track.keyframes[next + 1]?.positions;
     const motion = show.motionOf(next);
     const former = show.segmentAt(time) === null ? lastMotions[next] : null;
+    // Whoever selects something may move it.
+    const part = (former && !motion) || picture.isMarked ? formerPaths() : null;
     if (motion) drawPathsToCome(context, frame, motion, Math.max(time, motion.start));
-    else if (from && target && former?.agentCount === frame.agentCount) {
-      drawFormerPaths(context, frame, former, from.xy, target.xy);
+    else if (part && from && target && former?.agentCount === frame.agentCount) {
+      part.drawFormerPaths(context, frame, former, from.xy, target.xy);
     } else if (target) drawStraightPaths(context, frame, target.xy);
   }
 

@@ -4,12 +4,13 @@ import type { Frame } from "../frame";
 import { fade } from "../spacing";
 
 /** Pieces of the path to come. */
-const PIECES = 14;
+export const PIECES = 14;
 
 const DASHES = [2.5, 2.5];
 const SOLID: readonly number[] = [];
 
-const pieces = { samples: new Int32Array(PIECES + 1), shares: new Float32Array(PIECES + 1) };
+/** Which samples each piece lies between, and how far along: one for all who draw. */
+export const pieces = { samples: new Int32Array(PIECES + 1), shares: new Float32Array(PIECES + 1) };
 
 /**
  * The way each agent still has to go, dashed from its target backward: the dashes lie still while agents pass over them.
@@ -32,34 +33,7 @@ export function drawPathsToCome(
   endDashes(context);
 }
 
-/**
- * The same while it is planned anew, from formation to formation: the ways of the former motion, drawn to where they begin
- * and end now. `from` and `to` hold x, y an agent, meters.
- */
-export function drawFormerPaths(
-  context: CanvasRenderingContext2D,
-  frame: Frame,
-  motion: SegmentMotion,
-  from: Float64Array,
-  to: Float64Array,
-): void {
-  const alpha = 0.3 * fade(frame.spacing, 12, 14);
-  if (alpha === 0 || motion.times.length < 2) return;
-  locate(motion, motion.start);
-  beginDashes(context, alpha);
-  for (const { color, agents } of frame.cast.paints) {
-    context.strokeStyle = color;
-    context.beginPath();
-    for (let k = 0; k < agents.length; k += 1) {
-      const agent = agents[k] ?? 0;
-      if (!frame.isGone?.[agent]) traceFormer(context, frame, motion, from, to, agent);
-    }
-    context.stroke();
-  }
-  endDashes(context);
-}
-
-/** The same before a motion is planned at all: straight to the target. `xy` in meters. */
+/** The same before a motion is known: straight to the target. `xy` in meters. */
 export function drawStraightPaths(context: CanvasRenderingContext2D, frame: Frame, xy: Float64Array): void {
   const alpha = 0.3 * fade(frame.spacing, 12, 14);
   if (alpha === 0) return;
@@ -80,7 +54,7 @@ export function drawStraightPaths(context: CanvasRenderingContext2D, frame: Fram
 }
 
 /** Which samples each piece of the way from the end back to `now` lies between. */
-function locate(motion: SegmentMotion, now: number): void {
+export function locate(motion: SegmentMotion, now: number): void {
   for (let piece = 0; piece <= PIECES; piece += 1) {
     const time = motion.end + ((now - motion.end) * piece) / PIECES;
     const sample = Math.min(motion.sampleBefore(time), motion.times.length - 2);
@@ -88,47 +62,6 @@ function locate(motion: SegmentMotion, now: number): void {
     pieces.samples[piece] = sample;
     pieces.shares[piece] = (time - start) / ((motion.times[sample + 1] ?? 0) - start);
   }
-}
-
-/** Both ends are moved to where they are now, and what is between as much as it is near to each. */
-function traceFormer(
-  context: CanvasRenderingContext2D,
-  frame: Frame,
-  { xy }: SegmentMotion,
-  from: Float64Array,
-  to: Float64Array,
-  agent: number,
-): void {
-  const stride = 2 * frame.agentCount;
-  const first = 2 * agent;
-  const last = xy.length - stride + 2 * agent;
-  for (let piece = 0; piece <= PIECES; piece += 1) {
-    const at = (pieces.samples[piece] ?? 0) * stride + 2 * agent;
-    const share = pieces.shares[piece] ?? 0;
-    const back = piece / PIECES;
-    const x = between(xy, at, stride, share) + moved(xy, first, last, from, to, first, back);
-    const y = between(xy, at + 1, stride, share) + moved(xy, first + 1, last + 1, from, to, first + 1, back);
-    if (piece === 0) context.moveTo(frame.screenX(x), frame.screenY(y));
-    else context.lineTo(frame.screenX(x), frame.screenY(y));
-  }
-}
-
-function between(xy: Float32Array, at: number, stride: number, share: number): number {
-  const start = xy[at] ?? 0;
-  return start + ((xy[at + stride] ?? 0) - start) * share;
-}
-
-/** How far a coordinate goes with the two ends, `back` of the way from the end to the start. */
-function moved(
-  xy: Float32Array,
-  first: number,
-  last: number,
-  from: Float64Array,
-  to: Float64Array,
-  axis: number,
-  back: number,
-): number {
-  return ((from[axis] ?? 0) - (xy[first] ?? 0)) * back + ((to[axis] ?? 0) - (xy[last] ?? 0)) * (1 - back);
 }
 
 /** Those of one color. */
@@ -162,7 +95,7 @@ function tracePath(context: CanvasRenderingContext2D, frame: Frame, { xy }: Segm
   }
 }
 
-function beginDashes(context: CanvasRenderingContext2D, alpha: number): void {
+export function beginDashes(context: CanvasRenderingContext2D, alpha: number): void {
   context.globalAlpha = alpha;
   context.lineWidth = 1;
   // Round ends on hairlines cost four times the drawing; square ones as long look the same.
@@ -170,7 +103,7 @@ function beginDashes(context: CanvasRenderingContext2D, alpha: number): void {
   context.setLineDash(DASHES);
 }
 
-function endDashes(context: CanvasRenderingContext2D): void {
+export function endDashes(context: CanvasRenderingContext2D): void {
   context.globalAlpha = 1;
   context.setLineDash(SOLID);
 }
