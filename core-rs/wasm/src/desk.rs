@@ -92,11 +92,6 @@ pub fn curves(performed: &Performed) -> Vec<f32> {
         .collect()
 }
 
-pub fn motion(performer: &mut Performer, scene: &Scene, format: &str) -> Result<String, Refusal> {
-    let performance = performer.perform(scene)?;
-    Ok(if format == "csv" { performance.to_csv() } else { performance.to_json() })
-}
-
 pub fn assign(source: &Formation, target: &Formation) -> Vec<u32> {
     assignment::squared(source, target).targets().to_vec()
 }

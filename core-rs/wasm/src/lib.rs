@@ -147,11 +147,6 @@ impl Engine {
         eigenform::scene::write_json(at_hand(self.scene.as_ref()))
     }
 
-    /// The whole motion as `csv` or `json`.
-    pub fn write_motion(&mut self, format: &str) -> Result<String, Refusal> {
-        desk::motion(&mut self.performer, at_hand(self.scene.as_ref()), format)
-    }
-
     /// The scene at hand as a link: JSON `{fragment, rounding, brokenKeyframes}`.
     pub fn link(&self, is_short: bool) -> String {
         desk::link(at_hand(self.scene.as_ref()), is_short)

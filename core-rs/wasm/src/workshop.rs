@@ -61,6 +61,12 @@ impl Engine {
         positions(self.workshop.recording.as_ref().expect("a recording is opened before it is read"))
     }
 
+    /// The whole motion as `csv` or `json`.
+    pub fn write_motion(&mut self, format: &str) -> Result<String, Refusal> {
+        let performance = self.performer.perform(at_hand(self.scene.as_ref()))?;
+        Ok(if format == "csv" { performance.to_csv() } else { performance.to_json() })
+    }
+
     /// Works for a while on letting those who are stuck in a segment spread out; answers how far it is, 1 when what was found can be
     /// read.
     pub fn salvage(&mut self, segment: usize) -> Result<f64, Refusal> {

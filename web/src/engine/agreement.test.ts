@@ -1,7 +1,7 @@
 import { readFile } from "node:fs/promises";
 import { beforeAll, expect, test } from "vitest";
 import { Ledger, sceneFrom } from "./ledger";
-import init, { Engine } from "./pkg/engine.js";
+import init, { Engine } from "./pkg/workshop.js";
 
 /** What the native engine answers, checked there by `engine/tests/perform.rs`; a place a frame and agent, meters. */
 interface Case {
@@ -15,7 +15,7 @@ const CASES = JSON.parse(
 ) as readonly Case[];
 
 beforeAll(async () => {
-  await init({ module_or_path: await readFile(new URL("./pkg/engine_bg.wasm", import.meta.url)) });
+  await init({ module_or_path: await readFile(new URL("./pkg/workshop_bg.wasm", import.meta.url)) });
 });
 
 test.each(CASES)("the browser's engine moves everybody as the native one: $name", ({ scene: file, positions }) => {

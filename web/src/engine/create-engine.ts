@@ -56,7 +56,7 @@ export function createEngine(crew: Crew): Engine {
     writeKeyframes: (scene: Scene) =>
       ask(workshop, "writeKeyframes", (link) => ({ scene: link.ledger.message(scene) })),
     writeMotion: (scene: Scene, format) =>
-      ask(crew, "writeMotion", (link) => ({ scene: link.ledger.message(scene), format })),
+      ask(workshop, "writeMotion", (link) => ({ scene: link.ledger.message(scene), format })),
     link: (scene: Scene, precision) =>
       ask(crew, "link", (link) => ({ scene: link.ledger.message(scene), isShort: precision === "short" })),
     assign: (source: Formation, target: Formation) =>

@@ -53,10 +53,6 @@ export const basic: Handlers<Engine> & { cancel(ask: null, to: Engine): null } =
     take(scene, to);
     return to.write_scene();
   },
-  writeMotion: ({ scene, format }, to) => {
-    take(scene, to);
-    return to.write_motion(format);
-  },
   link: ({ scene, isShort }, to) => {
     take(scene, to);
     return JSON.parse(to.link(isShort)) as Calls["link"]["answer"];

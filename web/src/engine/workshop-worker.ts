@@ -18,6 +18,10 @@ const handlers: Handlers<Engine> = {
     take(scene, to);
     return JSON.parse(to.write_keyframes()) as { text: string; notes: string[] };
   },
+  writeMotion: ({ scene, format }, to) => {
+    take(scene, to);
+    return to.write_motion(format);
+  },
   openRecording: ({ text }, to) => {
     const head = JSON.parse(to.open_recording(text)) as Omit<RecordingData, "xy">;
     return { ...head, xy: to.recording_positions() };
