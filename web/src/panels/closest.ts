@@ -16,8 +16,13 @@ export function closestOf({ clearance, blocked = [] }: SegmentReport): Closest |
   return all.reduce<Closest | null>((least, one) => (least && least.distance <= one.distance ? least : one), null);
 }
 
+/** Whether a distance says how near that is: not where somebody goes through an obstacle. */
+export function isDistance({ distance, agent }: Closest): boolean {
+  return agent === undefined || distance > 0;
+}
+
 /** How near that is: a distance, unless somebody goes through an obstacle. */
-export function closestWords({ shutOff = [] }: SegmentReport, { distance, agent }: Closest, units: Units): string {
-  if (agent === undefined || distance > 0) return lengthWithUnit(distance, units);
-  return shutOff.some((shut) => shut.agent === agent) ? "shut off" : "inside";
+export function closestWords({ shutOff = [] }: SegmentReport, closest: Closest, units: Units): string {
+  if (isDistance(closest)) return lengthWithUnit(closest.distance, units);
+  return shutOff.some(({ agent }) => agent === closest.agent) ? "shut off" : "inside";
 }

@@ -1,3 +1,4 @@
+import { isDistance } from "../closest";
 import { shortTime } from "./clock";
 import { METHOD_WORDS, type TransitionState } from "./transition-state";
 
@@ -12,5 +13,6 @@ export function ribbonName(
   if (!near || !closest) return `Transition ${names}: ${method}`;
   const fares = status === "none" ? "" : `${status}, `;
   const where = status === "holds" ? "" : ` at ${shortTime(Math.round(closest.time * 10) / 10)}`;
-  return `Transition ${names}: ${method}, ${fares}${closest.distance > 0 ? "clearance " : ""}${near}${where}`;
+  const nearness = isDistance(closest) ? `clearance ${near}` : near;
+  return `Transition ${names}: ${method}, ${fares}${nearness}${where}`;
 }

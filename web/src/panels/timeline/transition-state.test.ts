@@ -74,3 +74,12 @@ test.each([
 ])("with a minimum distance of %d m a ribbon is called %s", (minimum, name) => {
   expect(ribbonName("A to B", transitionState({ kind: "ready", plan: plan(1.14) }, minimum), "1.14 m")).toBe(name);
 });
+
+test("agents who meet have a clearance of nothing; who is within an obstacle has none", () => {
+  const met = transitionState({ kind: "ready", plan: plan(0) }, 1);
+  expect(ribbonName("A to B", met, "0.00 m")).toBe("Transition A to B: Polar, clash, clearance 0.00 m at 0:00.5");
+  const now = plan(1.3);
+  const blocked = [{ distance: -0.2, time: 0.7, agent: 0, obstacle: 0 }];
+  const within = transitionState({ kind: "ready", plan: { ...now, report: { ...now.report, blocked } } }, 1);
+  expect(ribbonName("A to B", within, "inside")).toBe("Transition A to B: Polar, clash, inside at 0:00.7");
+});
