@@ -59,6 +59,7 @@ test("without a pointer a path is a bow, and a link carries it", async ({ studio
   await page.keyboard.press("Escape");
   await expect(inspector.getByText(/^Draw from where they stand/)).toHaveCount(0);
   await inspector.getByRole("button", { name: "Draw a path" }).press("Enter");
+  await expect(inspector.getByText(/^Draw from where they stand/)).toBeVisible();
   await page.keyboard.press("Enter");
   await expect(page.getByRole("button", { name: "Point 3 of the path" })).toBeVisible();
   const { path } = (await studio.sceneFile()).segments?.[0] ?? {};
