@@ -6,15 +6,16 @@ import { mainTrack } from "../document/scene";
 import { Inspector } from "./inspector/inspector";
 import { lazily } from "./lazily";
 import { Rail } from "./rail";
-import { SheetButton, useSheet } from "./sheet";
 import { ContextBar } from "./stage-edge/context-bar";
 import { Toasts } from "./stage-edge/toasts";
 import { ToolOptions } from "./stage-edge/tool-options";
 import { useStudio } from "./studio";
 import { TopBar } from "./top-bar";
+import { useSheet } from "./use-sheet";
 
 const Asides = lazily(() => import("./asides").then((part) => part.Asides));
 const Hint = lazily(() => import("./stage-edge/hint").then((part) => part.Hint));
+const SheetButton = lazily(() => import("./sheet").then((part) => part.SheetButton));
 const ViewPills = lazily(() => import("./stage-edge/view-pills").then((part) => part.ViewPills));
 const PerspectiveView = lazily(
   () => import("./perspective/perspective-view").then((part) => part.PerspectiveView),

@@ -1,30 +1,11 @@
-import { type Signal, useSignal, useSignalEffect } from "@preact/signals";
+import { type Signal, useSignalEffect } from "@preact/signals";
 import { SlidersHorizontal, X } from "lucide";
 import { useRef } from "preact/hooks";
 import { Icon } from "../theme/icons";
 import { useStudio } from "./studio";
-import { penOn } from "./travel/pen";
 
 /** A pull of the grip this far closes the sheet, CSS pixels. */
 const FAR_ENOUGH = 60;
-
-/**
- * On a narrow screen the inspector is a sheet over the stage, which opens for what has nothing else to show and makes way
- * for the pen of a path.
- */
-export function useSheet(): Signal<boolean> {
-  const { document } = useStudio();
-  const isOpen = useSignal(false);
-  useSignalEffect(() => {
-    const { kind } = document.selection.value;
-    if (kind === "transition" || kind === "tie") isOpen.value = true;
-    if (kind === "none") isOpen.value = false;
-  });
-  useSignalEffect(() => {
-    if (penOn.value !== null) isOpen.value = false;
-  });
-  return isOpen;
-}
 
 /** Opens the sheet for what is selected; absent where the inspector has its own place. */
 export function SheetButton({ isOpen }: { isOpen: Signal<boolean> }) {
@@ -47,15 +28,29 @@ export function SheetButton({ isOpen }: { isOpen: Signal<boolean> }) {
   );
 }
 
-/** The sheet's upper edge: pressed or pulled down, it closes. */
+/** The sheet's upper edge: pressed or pulled down, it closes. What it covers of the stage the view is told. */
 export function SheetGrip({ isOpen }: { isOpen: Signal<boolean> }) {
+  const { aside, view } = useStudio();
+  const grip = useRef<HTMLButtonElement>(null);
   const from = useRef<number | null>(null);
+
+  useSignalEffect(() => {
+    // The sheet is as high as the window has it, and so is the stage.
+    void view.size.value;
+    // A panel in the inspector's place lies where the sheet would.
+    const kind = aside.value?.kind;
+    const lies = isOpen.value || kind === "modes" || kind === "recording";
+    const sheet = grip.current?.parentElement;
+    view.covered.value = lies && sheet ? coveredBy(sheet) : 0;
+  });
+
   function close(): void {
     from.current = null;
     isOpen.value = false;
   }
   return (
     <button
+      ref={grip}
       type="button"
       class="sheet-grip"
       aria-label="Close"
@@ -75,4 +70,11 @@ export function SheetGrip({ isOpen }: { isOpen: Signal<boolean> }) {
       <span class="sheet-bar" />
     </button>
   );
+}
+
+/** CSS pixels of the stage from below; a sheet at its side, or beside it, takes none of its height. */
+function coveredBy(sheet: HTMLElement): number {
+  const stage = sheet.parentElement?.querySelector<HTMLElement>(".stage");
+  if (!stage || sheet.offsetTop <= stage.offsetTop) return 0;
+  return Math.max(0, stage.offsetTop + stage.offsetHeight - sheet.offsetTop);
 }

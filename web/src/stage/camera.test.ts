@@ -4,6 +4,7 @@ import {
   type Bounds,
   between,
   boundsOf,
+  type Camera,
   fitting,
   keptInSight,
   recentered,
@@ -12,7 +13,6 @@ import {
   toStage,
   zoomedAt,
 } from "./camera";
-import type { Camera } from "./view";
 
 const cameras = fc.record({
   scale: fc.double({ min: 0.01, max: 1000, noNaN: true }),

@@ -1,5 +1,13 @@
 import type { Point } from "../document/formation";
-import type { Camera } from "./view";
+
+/** Stage to screen: `screen = (x · scale + left, −y · scale + top)`, CSS pixels. */
+export interface Camera {
+  /** Pixels a meter. */
+  readonly scale: number;
+  /** Screen place of the stage's origin. */
+  readonly left: number;
+  readonly top: number;
+}
 
 /** A place on the stage element: CSS pixels from its upper left, y down. */
 export interface ScreenPoint {

@@ -102,6 +102,47 @@ describe("view", () => {
     expect(view.zoom.value).toBeCloseTo(1, 12);
   });
 
+  it("what is fitted makes way for a sheet from below, and comes back when it goes", () => {
+    const places: Point[] = [
+      [-40, -25],
+      [40, 25],
+    ];
+    const view = viewOf(places);
+    view.size.value = { width: 390, height: 600 };
+    const before = view.camera.value;
+    view.covered.value = 320;
+    for (const place of places) {
+      const { y } = toScreen(view.camera.value, place);
+      expect(y).toBeGreaterThan(0);
+      expect(y).toBeLessThan(600 - 320);
+    }
+    view.covered.value = 0;
+    expect(view.camera.value).toEqual(before);
+  });
+
+  it("where the person has zoomed or panned to stays where it is, whatever lies over it", () => {
+    const view = viewOf([]);
+    view.zoomBy(2);
+    const own = view.camera.value;
+    view.covered.value = 300;
+    expect(view.camera.value).toBe(own);
+    view.fit();
+    expect(toScreen(view.camera.value, [0, -30]).y).toBeLessThan(SIZE.height - 300);
+  });
+
+  it("what is shown instead of the show stays fitted until the whole show is asked for", () => {
+    const view = viewOf([[0, 0]]);
+    view.show({ minX: 200, maxX: 260, minY: 0, maxY: 40 });
+    view.size.value = { width: 700, height: 500 };
+    view.covered.value = 100;
+    const corner = toScreen(view.camera.value, [260, 0]);
+    expect(corner.x).toBeLessThan(700);
+    expect(corner.y).toBeLessThan(500 - 100);
+    view.fit();
+    expect(toScreen(view.camera.value, [0, 0]).x).toBeGreaterThan(0);
+    expect(toScreen(view.camera.value, [0, 0]).x).toBeLessThan(700);
+  });
+
   it("zooming keeps the place under the pointer and stops at the limits", () => {
     const view = viewOf([]);
     const at = { x: 300, y: 200 };

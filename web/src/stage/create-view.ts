@@ -3,6 +3,7 @@ import type { Scene } from "../document/scene";
 import {
   type Bounds,
   between,
+  type Camera,
   fitting,
   keptInSight,
   type Padding,
@@ -16,7 +17,7 @@ import {
 import { type Course, createGlide, framesForMotion } from "./glide";
 import { contentOf, sheetOf } from "./sheet";
 import { clamp } from "./spacing";
-import type { Camera, Layers, Lens, Projection, View } from "./view";
+import type { Layers, Lens, Projection, View } from "./view";
 
 const EVERYTHING: Layers = { ties: true, trails: true, ghosts: true, groups: true, names: true };
 
@@ -24,6 +25,8 @@ const EVERYTHING: Layers = { ties: true, trails: true, ghosts: true, groups: tru
 const ROOM_FOR_PANELS: Padding = { left: 72, right: 24, top: 60, bottom: 72 };
 /** A narrow stage has its tools below. */
 const ROOM_ON_A_PHONE: Padding = { left: 16, right: 16, top: 20, bottom: 80 };
+/** What was fitted stays clear of a sheet below it. */
+const ROOM_OVER_A_SHEET = 16;
 const NARROW = 640;
 
 /** The whole stage is shown unless the show fills so little of it that going closer pays. */
@@ -50,19 +53,25 @@ export function createView(scene: ReadonlySignal<Scene>, projection = signal<Pro
   const sheet = computed(() => sheetOf(scene.value.stage));
   const size = signal<Size>({ width: 0, height: 0 });
   const camera = signal<Camera>(fitting(sheet.peek(), { width: 800, height: 600 }, ROOM_FOR_PANELS));
+  const covered = signal(0);
   const whole = computed(() => fitting(sheet.value, size.value, paddingFor(size.value)));
   const glide = createGlide(camera, GLIDING, framesForMotion());
   let isFitted = true;
+  /** What is fitted instead of the whole show. */
+  let shown: Bounds | null = null;
   let lastSize = size.peek();
 
   function place(next: Camera): void {
     isFitted = false;
     glide.stop();
-    const shown: Bounds = union(sheet.peek(), contentOf(scene.peek()) ?? sheet.peek());
-    camera.value = keptInSight(next, shown, size.peek(), IN_SIGHT);
+    const all: Bounds = union(sheet.peek(), contentOf(scene.peek()) ?? sheet.peek());
+    camera.value = keptInSight(next, all, size.peek(), IN_SIGHT);
   }
 
-  const fitted = () => fittedTo(scene.peek(), whole.peek(), size.peek());
+  function fitted(): Camera {
+    const room = paddingFor(size.peek(), covered.peek());
+    return shown ? fitting(shown, size.peek(), room) : fittedTo(scene.peek(), size.peek(), room);
+  }
 
   effect(() => {
     const next = size.value;
@@ -72,8 +81,14 @@ export function createView(scene: ReadonlySignal<Scene>, projection = signal<Pro
     lastSize = next;
   });
 
+  effect(() => {
+    void covered.value;
+    if (isFitted && size.peek().width > 0) glide.to(fitted());
+  });
+
   return {
     camera,
+    covered,
     layers: signal(EVERYTHING),
     size,
     hovered: signal<number | null>(null),
@@ -97,15 +112,23 @@ export function createView(scene: ReadonlySignal<Scene>, projection = signal<Pro
     },
     fit() {
       isFitted = true;
+      shown = null;
       if (size.peek().width > 0) glide.to(fitted());
+    },
+    show(bounds) {
+      isFitted = true;
+      shown = bounds;
+      glide.stop();
+      if (size.peek().width > 0) camera.value = fitted();
     },
   };
 }
 
-function fittedTo(scene: Scene, whole: Camera, size: Size): Camera {
+function fittedTo(scene: Scene, size: Size, padding: Padding): Camera {
   const content = contentOf(scene);
+  const sheet = sheetOf(scene.stage);
+  const whole = fitting(sheet, size, padding);
   if (!content) return whole;
-  const padding = paddingFor(size);
   const close = fitting(content, size, padding);
   const closest = whole.scale * CLOSEST_FIT;
   if (close.scale > closest) {
@@ -115,13 +138,15 @@ function fittedTo(scene: Scene, whole: Camera, size: Size): Camera {
     };
     return zoomedAt(close, closest / close.scale, middle);
   }
-  const isOutside = fitting(union(sheetOf(scene.stage), content), size, padding).scale < whole.scale * NEARLY_WHOLE;
+  const isOutside = fitting(union(sheet, content), size, padding).scale < whole.scale * NEARLY_WHOLE;
   const worth = isNarrow(size) ? WORTH_IT_ON_A_PHONE : WORTH_GOING_CLOSER;
   return close.scale > whole.scale * worth || isOutside ? close : whole;
 }
 
-function paddingFor(size: Size): Padding {
-  return isNarrow(size) ? ROOM_ON_A_PHONE : ROOM_FOR_PANELS;
+/** @param covered pixels from below */
+function paddingFor(size: Size, covered = 0): Padding {
+  const room = isNarrow(size) ? ROOM_ON_A_PHONE : ROOM_FOR_PANELS;
+  return covered > 0 ? { ...room, bottom: Math.max(room.bottom, covered + ROOM_OVER_A_SHEET) } : room;
 }
 
 function isNarrow(size: Size): boolean {

@@ -1,8 +1,7 @@
-import type { Size } from "./camera";
+import type { Camera, Size } from "./camera";
 import type { Cast } from "./cast";
 import type { Palette } from "./palette";
 import { discRadius, screenSpacing } from "./spacing";
-import type { Camera } from "./view";
 
 /** What every drawing function reads; one is kept and refilled, so that a frame allocates nothing. */
 export class Frame {

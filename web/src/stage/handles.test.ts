@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
-import { toScreen } from "./camera";
+import { type Camera, toScreen } from "./camera";
 import { handleAt, handlePlace, handlesOf, SCALE_HANDLES, scaleAnchor, selectionBounds, selectionBox } from "./handles";
 import { liftsOf } from "./lifts";
-import type { Camera } from "./view";
 
 const camera: Camera = { scale: 20, left: 400, top: 300 };
 const xy = [0, 0, 4, 2, -3, 5, 100, 100];

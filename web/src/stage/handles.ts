@@ -1,6 +1,5 @@
-import type { Bounds, ScreenPoint } from "./camera";
+import type { Bounds, Camera, ScreenPoint } from "./camera";
 import type { Lifts } from "./lifts";
-import type { Camera } from "./view";
 
 /** Compass corners and edges scale, `rotate` turns, `lift` raises; north is up on the screen. */
 export type ScaleHandle = "nw" | "n" | "ne" | "e" | "se" | "s" | "sw" | "w";

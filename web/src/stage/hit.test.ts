@@ -1,8 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
-import { toScreen } from "./camera";
+import { type Camera, toScreen } from "./camera";
 import { agentAt, agentReach, agentsWithin, tieAt } from "./hit";
-import type { Camera } from "./view";
 
 const camera: Camera = { scale: 10, left: 200, top: 200 };
 

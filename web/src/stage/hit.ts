@@ -1,6 +1,5 @@
 import type { Point } from "../document/formation";
-import type { ScreenPoint } from "./camera";
-import type { Camera } from "./view";
+import type { Camera, ScreenPoint } from "./camera";
 
 /** As `PointerEvent.pointerType` says; anything else is a mouse. */
 export type PointerKind = "mouse" | "pen" | "touch" | (string & {});

@@ -1,4 +1,5 @@
 import type { ReadonlySignal, Signal } from "@preact/signals";
+import type { Bounds, Camera } from "./camera";
 
 /** Which layers show. */
 export interface Layers {
@@ -7,15 +8,6 @@ export interface Layers {
   readonly ghosts: boolean;
   readonly groups: boolean;
   readonly names: boolean;
-}
-
-/** Stage to screen: `screen = (x · scale + left, −y · scale + top)`, CSS pixels. */
-export interface Camera {
-  /** Pixels a meter. */
-  readonly scale: number;
-  /** Screen place of the stage's origin. */
-  readonly left: number;
-  readonly top: number;
 }
 
 /** What zooms and fits: the plan, or what is seen instead of it. */
@@ -35,6 +27,8 @@ export interface View extends Lens {
   readonly layers: Signal<Layers>;
   /** CSS pixels of the stage element. */
   readonly size: Signal<{ readonly width: number; readonly height: number }>;
+  /** CSS pixels of it that a sheet lies over, from below. */
+  readonly covered: Signal<number>;
   readonly hovered: Signal<number | null>;
   readonly theme: Signal<"light" | "dark" | "system">;
   /** What the timeline counts in. */
@@ -46,4 +40,6 @@ export interface View extends Lens {
   /** The perspective view while it covers the plan, which then rests. */
   readonly lens: Signal<Lens | null>;
   panBy(dx: number, dy: number): void;
+  /** Fits what is within these bounds, until the whole show is asked for. */
+  show(bounds: Bounds): void;
 }

@@ -1,10 +1,9 @@
 import type { Formation, Point } from "../document/formation";
 import type { Selection } from "../document/selection";
 import type { DocumentStore } from "../document/store";
-import type { ScreenPoint, Size } from "../stage/camera";
+import type { Camera, ScreenPoint, Size } from "../stage/camera";
 import type { Handle } from "../stage/handles";
 import type { PointerKind } from "../stage/hit";
-import type { Camera } from "../stage/view";
 import type { Overlay, ShapeName, Spacing } from "./toolbox";
 
 /** Where a pointer is and what is held with it. */

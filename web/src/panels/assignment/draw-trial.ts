@@ -1,11 +1,10 @@
 import type { Formation, Point } from "../../document/formation";
 import type { Obstacle } from "../../document/scene";
 import type { Bends } from "../../engine/api";
-import { type Size, toScreen } from "../../stage/camera";
+import { type Camera, type Size, toScreen } from "../../stage/camera";
 import { drawObstacles } from "../../stage/layers/obstacles";
 import type { Palette } from "../../stage/palette";
 import { discRadius, neighborSpacing, screenSpacing } from "../../stage/spacing";
-import type { Camera } from "../../stage/view";
 import { walksOf } from "./walks";
 
 /** How much of the show behind still shows through. */

@@ -6,13 +6,13 @@ import { formatCount } from "../../document/units";
 import { lazily } from "../lazily";
 import { moveFocus } from "../roving";
 import { Safely } from "../safely";
-import { SheetGrip } from "../sheet";
 import { useStudio } from "../studio";
 
 type Tab = "inspector" | "agents";
 
 const ScenePanel = lazily(() => import("./scene-panel").then((part) => part.ScenePanel));
 const SelectedPanel = lazily(() => import("./selected-panel").then((part) => part.SelectedPanel));
+const SheetGrip = lazily(() => import("../sheet").then((part) => part.SheetGrip));
 const AgentsTable = lazily(() => import("../agents-table/agents-table").then((part) => part.AgentsTable));
 
 /** What is selected and what can be changed about it; beside it, everybody in a table. */

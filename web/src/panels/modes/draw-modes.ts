@@ -1,8 +1,7 @@
-import type { Size } from "../../stage/camera";
+import type { Camera, Size } from "../../stage/camera";
 import type { Palette } from "../../stage/palette";
 import { discRadius, neighborSpacing, screenSpacing } from "../../stage/spacing";
 import { trianglesOf } from "../../stage/ties";
-import type { Camera } from "../../stage/view";
 import { coefficientsOf, cutLine, cutPairs, partialFormation, sidesOf } from "./mode-geometry";
 import type { ModesPicture } from "./picture";
 

@@ -1,8 +1,8 @@
 import type { Point } from "../../document/formation";
 import type { Recording } from "../../engine/recording";
+import type { Camera } from "../../stage/camera";
 import type { Palette } from "../../stage/palette";
 import { discRadius, screenSpacing } from "../../stage/spacing";
-import type { Camera } from "../../stage/view";
 
 /** Seconds of a trail, and frames of it that are drawn at most. */
 const TRAIL = 2;

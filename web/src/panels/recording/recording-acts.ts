@@ -1,22 +1,17 @@
 import { openScene } from "../../document/open-scene";
-import { fitting } from "../../stage/camera";
 import type { Studio } from "../studio";
 import { sceneOf, shiftOf } from "./picks";
 import { isOriginalShown, isWalked, type OpenRecording, opened, recorded } from "./state";
-
-/** CSS pixels about a recording that is fitted into the stage. */
-const EDGES = { left: 72, right: 24, top: 60, bottom: 72 };
 
 /** Shows all the ground that the recording covers. */
 export function lookAt({ view, playback }: Studio, { recording }: OpenRecording): void {
   playback.pause();
   view.projection.value = "plan";
   const bounds = recording.bounds();
-  const size = view.size.peek();
-  if (!bounds || size.width === 0) return;
+  if (!bounds) return;
   const [dx, dy] = shiftOf(recording);
   const { minX, maxX, minY, maxY } = bounds;
-  view.camera.value = fitting({ minX: minX + dx, maxX: maxX + dx, minY: minY + dy, maxY: maxY + dy }, size, EDGES);
+  view.show({ minX: minX + dx, maxX: maxX + dx, minY: minY + dy, maxY: maxY + dy });
 }
 
 /** The scene takes the place of the one before, which is one undo away. */

@@ -14,6 +14,12 @@ test("above, clear of the rotate handle, when there is no room below", () => {
   expect(placeBar(box, bar, stage).top + bar.height).toBeLessThanOrEqual(box.top - 22);
 });
 
+test("above a sheet that lies over the lower part of the stage", () => {
+  const at = placeBar({ left: 400, top: 300, right: 600, bottom: 500 }, bar, stage, 400);
+  expect(at.top).toBeGreaterThanOrEqual(0);
+  expect(at.top + bar.height).toBeLessThanOrEqual(300);
+});
+
 test("wherever the selection is, even out of sight, the bar can be reached", () => {
   const place = fc.integer({ min: -3000, max: 3000 });
   const extent = fc.integer({ min: 0, max: 3000 });

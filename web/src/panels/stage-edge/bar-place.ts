@@ -21,12 +21,21 @@ const INSET = { left: 64, top: 52, bottom: 56 } as const;
 const PHONE = 640;
 const INSET_ON_A_PHONE = { left: EDGE, top: EDGE, bottom: 72 } as const;
 
-/** Where the bar goes: below the box, above it when there is no room, and inside the stage when the box is not. */
-export function placeBar(box: Box, bar: Size, stage: Size): { readonly left: number; readonly top: number } {
+/**
+ * Where the bar goes: below the box, above it when there is no room, and inside the stage when the box is not.
+ *
+ * @param covered pixels of the stage that something else lies over, from below
+ */
+export function placeBar(
+  box: Box,
+  bar: Size,
+  stage: Size,
+  covered = 0,
+): { readonly left: number; readonly top: number } {
   const inset = stage.width <= PHONE ? INSET_ON_A_PHONE : INSET;
   const below = box.bottom + GAP;
   const above = box.top - HANDLE - bar.height;
-  const lowest = stage.height - inset.bottom - bar.height;
+  const lowest = stage.height - Math.max(inset.bottom, covered + EDGE) - bar.height;
   const top = below <= lowest ? below : above >= inset.top ? above : lowest;
   const middle = (box.left + box.right) / 2 - bar.width / 2;
   return {

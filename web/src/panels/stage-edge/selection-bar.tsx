@@ -20,13 +20,14 @@ export function SelectionBar({ agents }: { agents: ReadonlySet<number> }) {
     const xy = new Float32Array(show.agentCount * 2);
     const camera = view.camera.value;
     const size = view.size.value;
+    const covered = view.covered.value;
     show.positionsInto(playback.time.value, xy);
     const spacing = spacingAt(mainTrack(document.scene.value), playback.time.value);
     const bounds = selectionBounds(xy, selectedAgents(document.scene.value, document.selection.value));
     const element = bar.current;
     if (!element || !bounds) return;
     const box = selectionBox(bounds, camera, discRadius(screenSpacing(spacing, camera.scale)));
-    const place = placeBar(box, { width: element.offsetWidth, height: element.offsetHeight }, size);
+    const place = placeBar(box, { width: element.offsetWidth, height: element.offsetHeight }, size, covered);
     element.style.transform = `translate(${place.left}px, ${place.top}px)`;
   });
 

@@ -1,6 +1,6 @@
+import type { Camera } from "../camera";
 import { createContext } from "../canvases";
 import type { Frame } from "../frame";
-import type { Camera } from "../view";
 
 /** A picture that can be drawn now and laid down again later. */
 export type Part = (context: CanvasRenderingContext2D) => void;

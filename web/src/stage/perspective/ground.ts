@@ -1,10 +1,9 @@
 import { CanvasTexture, LinearMipmapLinearFilter, Mesh, MeshBasicMaterial, PlaneGeometry } from "three";
 import type { Stage } from "../../document/scene";
-import type { Bounds, Size } from "../camera";
+import type { Bounds, Camera, Size } from "../camera";
 import { createContext } from "../canvases";
 import type { Frame } from "../frame";
 import { drawBackdrop } from "../layers/backdrop";
-import type { Camera } from "../view";
 
 /** The sheet's longer side, and the room around it for its numbers and words, CSS pixels. */
 const LONGER_SIDE = 960;

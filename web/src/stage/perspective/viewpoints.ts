@@ -1,5 +1,4 @@
-import { type Bounds, type Size, toStage } from "../camera";
-import type { Camera } from "../view";
+import { type Bounds, type Camera, type Size, toStage } from "../camera";
 import type { Orbit } from "./orbit";
 import { FIELD_OF_VIEW } from "./sight";
 
