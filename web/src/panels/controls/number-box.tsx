@@ -1,5 +1,6 @@
-import { useEffect, useState } from "preact/hooks";
+import { useEffect, useRef, useState } from "preact/hooks";
 import { useStudio } from "../studio";
+import { Correction } from "./correction";
 import { undidScene } from "./field-undo";
 import { clampTo, type Quantity, rangeWords, stepped, stepsOf, withUnit } from "./quantity";
 
@@ -30,6 +31,7 @@ export function NumberBox(props: {
 }) {
   const { actions, messages } = useStudio();
   const { value, quantity } = props;
+  const box = useRef<HTMLLabelElement>(null);
   const [draft, setDraft] = useState<string | null>(null);
   const [correction, setCorrection] = useState<string | null>(null);
   /** What was taken over just now: the scene may have made something else of it. */
@@ -68,6 +70,7 @@ export function NumberBox(props: {
 
   return (
     <label
+      ref={box}
       class="number-box"
       data-invalid={isInvalid ? "" : undefined}
       data-disabled={props.isDisabled ? "" : undefined}
@@ -113,11 +116,7 @@ export function NumberBox(props: {
         }}
       />
       {quantity.unit && !props.isUnitBeside && <span class="unit">{quantity.unit}</span>}
-      {correction !== null && (
-        <span class="number-range" aria-hidden="true">
-          {correction}
-        </span>
-      )}
+      {correction !== null && <Correction words={correction} anchor={box} />}
     </label>
   );
 }

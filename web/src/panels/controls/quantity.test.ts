@@ -1,6 +1,7 @@
 import fc from "fast-check";
 import { describe, expect, test } from "vitest";
-import { fractionOf, type Quantity, rangeWords, stepped, stepsOf, valueAt } from "./quantity";
+import { formatNumber, formatTime } from "../../document/units";
+import { fractionOf, type Quantity, rangeWords, stepped, stepsOf, valueAt, withUnit } from "./quantity";
 
 const words = { format: String, parse: Number, unit: "" };
 const weight: Quantity = { min: 0.1, max: 100, step: 1, scale: "log", ...words };
@@ -47,5 +48,15 @@ test("shift takes ten steps at once", () => {
 
 test("what is admissible is said with thousands apart and the unit", () => {
   expect(rangeWords({ ...weight, unit: "×" })).toBe("Between 0.1 and 100 ×");
-  expect(rangeWords({ ...sharing, min: -1000, max: 12345.5 })).toBe("Between -1,000 and 12345.5");
+  expect(rangeWords({ ...sharing, min: -1000, max: 12345.5 })).toBe("Between -1,000 and 12,345.5");
+  const length: Quantity = {
+    ...sharing,
+    min: -100_000,
+    max: 100_000,
+    unit: "m",
+    format: (value) => formatNumber(value),
+  };
+  expect(rangeWords(length)).toBe("Between −100,000 and 100,000 m");
+  expect(withUnit(length, -1234.5)).toBe("−1,234.50 m");
+  expect(rangeWords({ ...sharing, max: 3600, format: formatTime })).toBe("Between 0:00.0 and 60:00.0");
 });

@@ -1,3 +1,5 @@
+import { formatCount } from "../../document/units";
+
 /** A number a person sets: its bounds, how it is written and read, and how far a step goes. */
 export interface Quantity {
   readonly min: number;
@@ -12,6 +14,10 @@ export interface Quantity {
   readonly unit: string;
 }
 
+const PLAIN = /^([-−]?)(\d+)((?:\.\d+)?)$/;
+/** After a number, and not after the seconds of a time. */
+const NO_DECIMALS = /^([-−]?[\d,]+)\.0+$/;
+
 /** Steps from one end of a logarithmic scale to the other. */
 const LOG_STEPS = 60;
 
@@ -21,7 +27,8 @@ export function clampTo(quantity: Pick<Quantity, "min" | "max">, value: number):
 
 /** What is admissible, for somebody whose number was corrected: `Between 1 and 5,000`. */
 export function rangeWords({ min, max, unit, format }: Quantity): string {
-  return `Between ${grouped(format(min))} and ${grouped(format(max))} ${unit}`.trim();
+  const bound = (value: number) => grouped(format(value)).replace(NO_DECIMALS, "$1");
+  return `Between ${bound(min)} and ${bound(max)} ${unit}`.trim();
 }
 
 /** A value as it is written, with its unit. */
@@ -29,9 +36,11 @@ export function withUnit({ unit, format }: Quantity, value: number): string {
   return `${grouped(format(value))} ${unit}`.trim();
 }
 
-/** A whole number of five digits and more, or four, with its thousands apart; anything else as it is. */
+/** A number with its thousands apart; what is more than a number, such as a time, as it is. */
 function grouped(written: string): string {
-  return /^-?\d{4,}$/.test(written) ? Number(written).toLocaleString("en-US") : written;
+  return written.replace(PLAIN, (_, sign: string, whole: string, decimals: string) => {
+    return sign + formatCount(Number(whole)) + decimals;
+  });
 }
 
 /** Where a value is between the ends, 0..1. */
