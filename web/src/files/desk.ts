@@ -71,11 +71,7 @@ export function createDesk({ document, engine, planner, messages, intake, addres
           onExample();
           return true;
         } catch (error) {
-          messages.say({
-            tone: "problem",
-            title: `${title} was not opened.`,
-            text: sentence(problemFrom(error)),
-          });
+          intake.reader.refuse(title, problemFrom(error));
           return false;
         }
       },

@@ -4,7 +4,7 @@ import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import type { Engine, Opened } from "../engine/api";
 import type { Aside } from "../panels/aside";
-import type { Messages } from "../panels/messages";
+import { type Messages, OPENING } from "../panels/messages";
 import { problemFrom, type Reader } from "./reader";
 
 /** Larger files are refused before they are read; the engine has the same limit. */
@@ -71,7 +71,8 @@ export function createIntake(parts: IntakeParts): Intake {
     openScene(document, titled(opened, name), `Open ${name}`);
     onOpened();
     const notes = opened.notes.join(" ");
-    messages.say({ tone: "good", title: `${name} is open.`, text: notes || "The scene before it is one undo away." });
+    const more = notes || "The scene before it is one undo away.";
+    messages.say({ tone: "good", about: OPENING, title: `${name} is open.`, text: more });
     return true;
   }
 

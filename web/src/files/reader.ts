@@ -1,5 +1,5 @@
 import { type Engine, EngineError, type EngineProblem, type Opened } from "../engine/api";
-import type { Messages } from "../panels/messages";
+import { type Messages, OPENING } from "../panels/messages";
 
 /** Text from outside, read through the engine; a refusal is said. */
 export interface Reader {
@@ -23,6 +23,7 @@ export function createReader(engine: Pick<Engine, "open">, messages: Pick<Messag
   function refuse(name: string, problem: EngineProblem): void {
     messages.say({
       tone: "problem",
+      about: OPENING,
       title: `${name} was not opened.`,
       text: `${sentence(problem)} Your scene is unchanged.`,
     });

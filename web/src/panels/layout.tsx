@@ -96,8 +96,10 @@ function StageHost({ element }: { element: HTMLElement }) {
 function Announcer() {
   const { messages } = useStudio();
   return (
-    <div class="unseen" role="status" aria-live="polite">
-      {messages.announcement.value}
+    <div class="unseen" role="status" aria-live="polite" aria-atomic="false">
+      {messages.announcements.value.map(({ id, text }) => (
+        <div key={id}>{text}</div>
+      ))}
     </div>
   );
 }

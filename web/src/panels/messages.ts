@@ -4,6 +4,8 @@ import { type ReadonlySignal, signal } from "@preact/signals";
 export interface Message {
   readonly id: number;
   readonly tone: "good" | "problem" | "question";
+  /** What it is about, the title unless told: the newest takes the place of others about the same. */
+  readonly about: string;
   /** What happened, in a few words. */
   readonly title: string;
   /** What to do, or the details. */
@@ -11,12 +13,18 @@ export interface Message {
   readonly actions: readonly { readonly label: string; run(): void }[];
 }
 
+/** Read out by the status region, shown nowhere. */
+export interface Announcement {
+  readonly id: number;
+  readonly text: string;
+}
+
 /** Toasts at the bottom of the stage; announced to screen readers. */
 export interface Messages {
   readonly shown: ReadonlySignal<readonly Message[]>;
-  /** Read out by the status region, shown nowhere. */
-  readonly announcement: ReadonlySignal<string>;
-  say(message: Omit<Message, "id" | "actions"> & { readonly actions?: Message["actions"] }): number;
+  /** The last few: each is read out as it comes, also what is said again or in the same breath. */
+  readonly announcements: ReadonlySignal<readonly Announcement[]>;
+  say(message: Pick<Message, "tone" | "title" | "text"> & Partial<Pick<Message, "about" | "actions">>): number;
   announce(text: string): void;
   dismiss(id: number): void;
 }
@@ -28,23 +36,32 @@ export const NOT_LOADED = {
   text: "Check the connection and try it again; the scene is unchanged.",
 } as const;
 
+/** Toasts that are seen at once, and announcements that are kept. */
+const FEW = 3;
+
+/** What is about opening a scene, whichever and however it went. */
+export const OPENING = "opening";
+
 export function createMessages(): Messages {
   const shown = signal<readonly Message[]>([]);
-  const announcement = signal("");
+  const announcements = signal<readonly Announcement[]>([]);
   let last = 0;
+
+  function announce(text: string): void {
+    last += 1;
+    announcements.value = [...announcements.value, { id: last, text }].slice(-FEW);
+  }
+
   return {
     shown,
-    announcement,
+    announcements,
+    announce,
     say(message) {
-      last += 1;
-      // The same thing said again moves down instead of piling up.
-      const others = shown.value.filter((other) => other.title !== message.title || other.text !== message.text);
-      shown.value = [...others.slice(-2), { actions: [], ...message, id: last }];
-      announcement.value = `${message.title} ${message.text}`;
+      announce(`${message.title} ${message.text}`);
+      const about = message.about ?? message.title;
+      const others = shown.value.filter((other) => other.about !== about);
+      shown.value = [...others, { actions: [], ...message, about, id: last }].slice(-FEW);
       return last;
-    },
-    announce(text) {
-      announcement.value = text;
     },
     dismiss(id) {
       shown.value = shown.value.filter((message) => message.id !== id);
