@@ -36,7 +36,9 @@ async function pickFirstFour(studio: Studio): Promise<void> {
 
 test("a group is made of a marquee, named, tied and dissolved", async ({ studio, page }) => {
   await pickFirstFour(studio);
-  await page.keyboard.press("Control+g");
+  const bar = page.getByRole("toolbar", { name: "Selection" });
+  await bar.getByRole("button", { name: "Make group" }).dblclick();
+  await expect(bar.getByRole("button", { name: "Make group" })).toBeDisabled();
   const name = studio.inspector.getByRole("textbox", { name: "Name" });
   await name.fill("Brass");
   await name.press("Enter");

@@ -17,6 +17,8 @@ export function IconAction(props: {
   tip?: string;
   side?: TipSide;
   size?: 14 | 16;
+  /** Its own press may end what it is for: the focus stays with it. */
+  keepsFocus?: boolean;
 }) {
   const { action, isEnabled } = useAction(props.id);
   const name = props.name ?? action.label;
@@ -27,11 +29,12 @@ export function IconAction(props: {
       class="icon-button"
       aria-label={name}
       aria-keyshortcuts={keyShortcuts(action.keys)}
-      disabled={!isEnabled}
+      disabled={!isEnabled && !props.keepsFocus}
+      aria-disabled={props.keepsFocus && !isEnabled}
       data-tip={props.tip ?? name}
       data-tip-side={props.side}
       data-keys={key && keyName(key)}
-      onClick={() => action.run()}
+      onClick={() => isEnabled && action.run()}
     >
       <Icon node={props.icon} size={props.size ?? 16} />
     </button>

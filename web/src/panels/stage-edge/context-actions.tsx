@@ -26,15 +26,11 @@ const USUAL_FACTOR = 10;
 
 /** Group, mirror, line up, spread, tie: for several agents at the keyframe being edited. */
 export function ContextActions({ agents }: { agents: ReadonlySet<number> }) {
-  const { document } = useStudio();
-  const isGroup = document.selection.value.kind === "group";
   return (
     <>
-      {isGroup ? (
-        <IconAction id="dissolve-group" icon={Ungroup} side="top" />
-      ) : (
-        <IconAction id="make-group" icon={Group} side="top" />
-      )}
+      {/* Side by side: in one place, the second press of two would undo the first. */}
+      <IconAction id="make-group" icon={Group} side="top" keepsFocus />
+      <IconAction id="dissolve-group" icon={Ungroup} side="top" keepsFocus />
       <IconAction id="flip-horizontal" icon={TrianglesCenterlineDashedVertical} side="top" />
       <IconAction id="flip-vertical" icon={TrianglesCenterlineDashedHorizontal} side="top" />
       <PopoverButton
