@@ -20,6 +20,12 @@ export interface ToolboxAtWork extends Toolbox {
   notePan(): void;
 }
 
+/** What was asked of the tools before they came, with the tool that was in hand. */
+interface Wish {
+  readonly tool: ToolName;
+  ask(bench: Workbench): void;
+}
+
 /** Agents that a first stroke or shape makes. */
 const FIRST_COUNT = 12;
 
@@ -36,7 +42,7 @@ export function createToolbox(parts: ToolParts, tools?: typeof createWorkbench):
   const settings = { active, shape, spacing, tieScope };
   const bench = signal<Workbench | null>(tools?.(parts, settings) ?? null);
   let loading: Promise<void> | null = null;
-  let waiting: ((bench: Workbench) => void)[] = [];
+  let waiting: Wish[] = [];
   let hasPanned = false;
 
   function wake(): Promise<void> {
@@ -44,7 +50,12 @@ export function createToolbox(parts: ToolParts, tools?: typeof createWorkbench):
     loading ??= import("./workbench").then((chunk) => {
       const ready = chunk.createWorkbench(parts, settings);
       bench.value = ready;
-      for (const ask of waiting) ask(ready);
+      const inHand = active.peek();
+      for (const { tool, ask } of waiting) {
+        active.value = tool;
+        ask(ready);
+      }
+      active.value = inHand;
       waiting = [];
     }, retry);
     return loading;
@@ -63,7 +74,7 @@ export function createToolbox(parts: ToolParts, tools?: typeof createWorkbench):
       ask(ready);
       return;
     }
-    waiting.push(ask);
+    waiting.push({ tool: active.peek(), ask });
     void wake();
   }
 
@@ -77,8 +88,17 @@ export function createToolbox(parts: ToolParts, tools?: typeof createWorkbench):
     cursor: computed(() => (isSpaceHeld.value ? "grab" : (bench.value?.cursor.value ?? "default"))),
     isSpaceHeld,
     wake,
-    send: (event) => whenReady((ready) => ready.send(event)),
-    cancel: () => bench.peek()?.cancel() ?? false,
+    send(event) {
+      // A pointer that only passes by leaves nothing to be done later.
+      if (event.kind === "move" && !bench.peek() && waiting.length === 0) void wake();
+      else whenReady((ready) => ready.send(event));
+    },
+    cancel() {
+      const ready = bench.peek();
+      const isAwaited = waiting.length > 0;
+      if (isAwaited) whenReady((later) => later.cancel());
+      return ready?.cancel() ?? isAwaited;
+    },
     placeInMiddle: () => whenReady((ready) => ready.placeInMiddle()),
     placeInView: (places, label) => whenReady((ready) => ready.placeInView(places, label)),
     holdSpace() {

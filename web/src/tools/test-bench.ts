@@ -53,6 +53,15 @@ export interface Bench {
 
 /** @param formations of one keyframe each, eight counts apart; the first may be empty */
 export function createBench(...formations: readonly (readonly Point[])[]): Bench {
+  return benchWith(formations, createWorkbench);
+}
+
+/** A bench whose tools are fetched when the first is wanted, as in the page. */
+export function createLateBench(...formations: readonly (readonly Point[])[]): Bench {
+  return benchWith(formations);
+}
+
+function benchWith(formations: readonly (readonly Point[])[], tools?: typeof createWorkbench): Bench {
   const [first = [], ...later] = formations;
   let scene = first.length > 0 ? addAgents(first).apply(emptyScene()) : emptyScene();
   for (const formation of later) {
@@ -86,7 +95,7 @@ export function createBench(...formations: readonly (readonly Point[])[]): Bench
         announce: (text) => announced.push(text),
         warn: (title) => warned.push(title),
       },
-      createWorkbench,
+      tools,
     ),
     press: (at, held) => bench.toolbox.send({ kind: "press", isDouble: false, ...pointing(at, held) }),
     move: (at, held) => bench.toolbox.send({ kind: "move", ...pointing(at, held) }),
