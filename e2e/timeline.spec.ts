@@ -93,3 +93,23 @@ test("a run of keyframes is drawn by keys, reversed and repeated, each one undo 
     await expect.poll(() => names(page)).toEqual([b, a, c, ...rest]);
   });
 });
+
+test("whoever drags past what the show allows is told where it stopped", async ({ studio, page }) => {
+  await studio.makeShow();
+  await studio.keyframes.first().click();
+  const hold = page.getByRole("slider", { name: /^Hold of/ });
+  const box = await hold.boundingBox();
+  if (!box) throw new Error("the handle of the hold is not shown");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(1400, y, { steps: 6 });
+  await expect(studio.timeline.getByText("As near as it can be: 3.9 s")).toBeVisible();
+  await page.mouse.move(x + 20, y, { steps: 3 });
+  await expect(studio.timeline.getByText("As near as it can be")).toHaveCount(0);
+  await page.mouse.move(x, y);
+  await page.mouse.up();
+  await hold.press("Home");
+  await hold.press("ArrowLeft");
+  await expect(page.getByRole("status").filter({ hasText: "Hold: As near as it can be: 0 s" })).toBeAttached();
+});

@@ -1,21 +1,21 @@
-import type { RefObject } from "preact";
 import { useLayoutEffect, useRef } from "preact/hooks";
-import { placeBeside } from "./place-beside";
+import { placeBeside, type Side } from "./place-beside";
 
-/** What became of a number, below where it was set; over everything, so that no panel cuts it off. Read out elsewhere. */
-export function Correction({ words, anchor }: { words: string; anchor: RefObject<HTMLElement> }) {
+/** What became of a number, beside where it was set; over everything, so that no panel cuts it off. Read out elsewhere. */
+export function Correction(props: { words: string; anchor: HTMLElement | null; side?: Side }) {
+  const { words, anchor, side = "below-end" } = props;
   const bubble = useRef<HTMLSpanElement>(null);
 
   useLayoutEffect(() => bubble.current?.showPopover(), []);
 
   useLayoutEffect(() => {
-    const [said, place] = [bubble.current, anchor.current];
-    if (!said || !place) return;
-    const settle = () => placeBeside(said, place, "below-end");
+    const said = bubble.current;
+    if (!said || !anchor) return;
+    const settle = () => placeBeside(said, anchor, side);
     settle();
     addEventListener("scroll", settle, { capture: true, passive: true });
     return () => removeEventListener("scroll", settle, { capture: true });
-  }, [words, anchor]);
+  }, [words, anchor, side]);
 
   return (
     <span ref={bubble} class="correction" popover="manual" aria-hidden="true">

@@ -2,7 +2,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { useStudio } from "../studio";
 import { Correction } from "./correction";
 import { undidScene } from "./field-undo";
-import { clampTo, type Quantity, rangeWords, stepped, stepsOf, withUnit } from "./quantity";
+import { asNear, clampTo, type Quantity, rangeWords, stepped, stepsOf, withUnit } from "./quantity";
 
 /** How long it is said that a number was corrected, milliseconds. */
 const CORRECTION_TIME = 6000;
@@ -51,7 +51,7 @@ export function NumberBox(props: {
     if (asked === null) return;
     setAsked(null);
     const isOther = Math.abs(asked - value) > ROUND_OFF && quantity.format(asked) !== quantity.format(value);
-    if (isOther) tell(`As near as it can be: ${withUnit(quantity, value)}`);
+    if (isOther) tell(asNear(withUnit(quantity, value)));
   }, [asked]);
 
   /** Takes a number over, and says when it is not what was asked for. */
@@ -116,7 +116,7 @@ export function NumberBox(props: {
         }}
       />
       {quantity.unit && !props.isUnitBeside && <span class="unit">{quantity.unit}</span>}
-      {correction !== null && <Correction words={correction} anchor={box} />}
+      {correction !== null && <Correction words={correction} anchor={box.current} />}
     </label>
   );
 }

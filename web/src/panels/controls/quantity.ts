@@ -15,7 +15,7 @@ export interface Quantity {
 }
 
 const PLAIN = /^([-−]?)(\d+)((?:\.\d+)?)$/;
-/** After a number, and not after the seconds of a time. */
+/** Decimals of nothing; the seconds of a time are none. */
 const NO_DECIMALS = /^([-−]?[\d,]+)\.0+$/;
 
 /** Steps from one end of a logarithmic scale to the other. */
@@ -29,6 +29,11 @@ export function clampTo(quantity: Pick<Quantity, "min" | "max">, value: number):
 export function rangeWords({ min, max, unit, format }: Quantity): string {
   const bound = (value: number) => grouped(format(value)).replace(NO_DECIMALS, "$1");
   return `Between ${bound(min)} and ${bound(max)} ${unit}`.trim();
+}
+
+/** For somebody who asked for more than the scene allows; `value` as it is written, with its unit. */
+export function asNear(value: string): string {
+  return `As near as it can be: ${value}`;
 }
 
 /** A value as it is written, with its unit. */

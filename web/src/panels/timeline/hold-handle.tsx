@@ -1,20 +1,27 @@
-import { useRef } from "preact/hooks";
+import { useRef, useState } from "preact/hooks";
 import { setHold } from "../../document/commands/retime";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
-import type { Gesture } from "../../document/store";
+import type { Command, Gesture } from "../../document/store";
 import { useStudio } from "../studio";
 import { keyframePlaces } from "./layout";
+import { LimitNote } from "./limit-note";
 import { placed } from "./place";
 import { snapTime } from "./snap";
 import type { Viewport } from "./viewport";
 
 const KEY_STEP = 0.5;
 
+/** Times are set to the millisecond, seconds. */
+const ROUNDING = 1e-3;
+
 /** Pulls the selected keyframe's right edge on: how long the agents stand in it. */
 export function HoldHandle({ viewport }: { viewport: Viewport }) {
   const { document, playback, view } = useStudio();
   const drag = useRef<{ readonly gesture: Gesture; readonly x: number; readonly hold: number } | null>(null);
+  const handle = useRef<HTMLDivElement | null>(null);
+  /** The hold it was stopped at although it was pulled further. */
+  const [stop, setStop] = useState<number | null>(null);
   const selection = document.selection.value;
   const scene = document.scene.value;
   const { keyframes } = mainTrack(scene);
@@ -26,11 +33,21 @@ export function HoldHandle({ viewport }: { viewport: Viewport }) {
   const end = (how: "commit" | "cancel") => {
     drag.current?.gesture[how]();
     drag.current = null;
+    setStop(null);
+  };
+
+  const pull = (hold: number, perform: (command: Command) => void) => {
+    perform(setHold(index, hold));
+    const landed = mainTrack(document.scene.peek()).keyframes[index]?.hold ?? hold;
+    setStop(Math.abs(landed - hold) > ROUNDING ? landed : null);
   };
 
   return (
     <div
-      ref={placed(place.right)}
+      ref={(element) => {
+        handle.current = element;
+        placed(place.right)(element);
+      }}
       class="hold-handle"
       role="slider"
       tabIndex={0}
@@ -38,8 +55,8 @@ export function HoldHandle({ viewport }: { viewport: Viewport }) {
       aria-valuemin={0}
       aria-valuemax={keyframes[index + 1] ? (keyframes[index + 1]?.time ?? 0) - keyframe.time : 3600}
       aria-valuenow={keyframe.hold}
-      aria-valuetext={`${Math.round(keyframe.hold * 100) / 100} s`}
-      data-tip="Hold"
+      aria-valuetext={inSeconds(keyframe.hold)}
+      data-tip={stop === null ? "Hold" : undefined}
       data-tip-side="top"
       onPointerDown={(event) => {
         event.stopPropagation();
@@ -53,19 +70,26 @@ export function HoldHandle({ viewport }: { viewport: Viewport }) {
         const wanted = keyframe.time + from.hold + (event.clientX - from.x) / pixelsPerSecond;
         const times = [playback.time.peek(), keyframe.time];
         const snapped = snapTime(wanted, scene, { pixelsPerSecond, times, ruler: view.ruler.peek() });
-        from.gesture.preview(setHold(index, snapped - keyframe.time));
+        pull(snapped - keyframe.time, from.gesture.preview);
       }}
       onPointerUp={() => end("commit")}
       onPointerCancel={() => end("cancel")}
       onKeyDown={(event) => {
         if (event.key === "Escape" && drag.current) end("cancel");
-        else if (event.key === "ArrowRight") document.perform(setHold(index, keyframe.hold + KEY_STEP));
-        else if (event.key === "ArrowLeft") document.perform(setHold(index, Math.max(0, keyframe.hold - KEY_STEP)));
-        else if (event.key === "Home" || event.key === "Delete") document.perform(setHold(index, 0));
+        else if (event.key === "ArrowRight") pull(keyframe.hold + KEY_STEP, document.perform);
+        else if (event.key === "ArrowLeft") pull(keyframe.hold - KEY_STEP, document.perform);
+        else if (event.key === "Home" || event.key === "Delete") pull(0, document.perform);
         else return;
         event.preventDefault();
         event.stopPropagation();
       }}
-    />
+      onBlur={() => setStop(null)}
+    >
+      {stop !== null && <LimitNote what="Hold" stop={inSeconds(stop)} anchor={handle.current} />}
+    </div>
   );
+}
+
+function inSeconds(hold: number): string {
+  return `${Math.round(hold * 100) / 100} s`;
 }

@@ -1,4 +1,5 @@
 import { beforeEach, expect, test } from "vitest";
+import { setHold } from "../../document/commands/retime";
 import { createDocument } from "../../document/create-store";
 import { DEFAULT_AGENT, DEFAULT_SEGMENT, emptyScene, keyframeAt } from "../../document/defaults";
 import { Formation } from "../../document/formation";
@@ -75,6 +76,15 @@ test("a keyframe never passes its neighbors", () => {
   expect(second).toBeGreaterThan(first ?? 0);
   expect(second).toBeLessThan(third ?? 0);
   expect(names()).toEqual(["K0", "K1", "K2"]);
+});
+
+test("pulled past what its neighbors leave, it says where it was stopped, until it follows again", () => {
+  const stop = () => (drag.state.value.kind === "retiming" ? drag.state.value.stop : undefined);
+  document.perform(setHold(0, 2));
+  pull(460, xOf(SCALE, 1));
+  expect(stop()).toBe(times()[1]);
+  drag.move({ x: xOf(SCALE, 3), isRipple: false });
+  expect(stop()).toBeNull();
 });
 
 test("dropped onto another it takes that place, and the times stay", () => {

@@ -21,6 +21,8 @@ export interface TrackLook {
 
 /** Pixels a press may wander and still be a click. */
 const CLICK_SLOP = 4;
+/** Times are set to the millisecond, seconds. */
+const ROUNDING = 1e-3;
 /** A pointer this near to another keyframe's middle means its place. */
 const PLACE_REACH = 18;
 
@@ -68,7 +70,9 @@ export class KeyframeDrag {
       ruler: this.track.ruler(),
     });
     gesture.preview(input.isRipple ? rippleKeyframe(index, snapped) : retimeKeyframe(index, snapped));
-    this.state.value = { kind: "retiming", index, x, gesture };
+    const landed = mainTrack(this.document.scene.peek()).keyframes[index]?.time ?? snapped;
+    const isStopped = wanted < 0 || Math.abs(landed - snapped) > ROUNDING;
+    this.state.value = { kind: "retiming", index, x, gesture, stop: isStopped ? landed : null };
   }
 
   /** @returns where the keyframe is in the order after a drag; null when it was a click */

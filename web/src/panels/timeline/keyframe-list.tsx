@@ -6,6 +6,7 @@ import { later } from "../../stage/later";
 import { breachesOf, obstacleBreachCount } from "../breaches";
 import { lazily } from "../lazily";
 import { useStudio } from "../studio";
+import { shortTime } from "./clock";
 import type { KeyframeHands } from "./keyframe-keys";
 import { KeyframeOption } from "./keyframe-option";
 import { LaterDrag } from "./later-drag";
@@ -15,6 +16,7 @@ import { useAgentColors, usePalette } from "./use-paint";
 import type { Viewport } from "./viewport";
 
 const KeyframeMenu = lazily(() => import("./keyframe-menu").then((part) => part.KeyframeMenu));
+const LimitNote = lazily(() => import("./limit-note").then((part) => part.LimitNote));
 const keys = later(() => import("./keyframe-keys"));
 
 /** The formations of the show at their times. Arrows walk, a drag retimes, a drag onto another takes its place. */
@@ -171,6 +173,13 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
           );
         })}
       </div>
+      {state.kind === "retiming" && state.stop !== null && (
+        <LimitNote
+          what={keyframeLabel(scene, state.index)}
+          stop={shortTime(state.stop)}
+          anchor={option(list.current, state.index)}
+        />
+      )}
       {menuAt !== null && menuAnchor && (
         <KeyframeMenu
           index={menuAt}
