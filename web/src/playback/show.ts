@@ -52,6 +52,12 @@ export class Show {
     return this.isMoving(index, time) ? index : null;
   }
 
+  /** How much of the time of the segment under way is behind at `time`; null while a formation stands. */
+  progressAt(time: number): number | null {
+    const segment = this.segmentAt(time);
+    return segment === null ? null : this.progressOf(segment, time);
+  }
+
   /** The motion that `segment` is drawn from; null while it is blended. */
   motionOf(segment: number): SegmentMotion | null {
     return this.motions[segment] ?? null;
@@ -122,10 +128,14 @@ export class Show {
 
   /** How much of a segment's way is behind at `time`. */
   private shareOf(segment: number, time: number): number {
-    const start = this.startOf(segment);
     const timing = this.track.segments[segment]?.timing ?? "linear";
-    const share = (time - start) / (this.endOf(segment) - start);
+    const share = this.progressOf(segment, time);
     return eased(timing, share, isStop(this.track, this.join, segment), isStop(this.track, this.join, segment + 1));
+  }
+
+  private progressOf(segment: number, time: number): number {
+    const start = this.startOf(segment);
+    return (time - start) / (this.endOf(segment) - start);
   }
 
   /** A motion of other agents or other times belongs to a scene that has changed since. */

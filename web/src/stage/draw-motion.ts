@@ -85,9 +85,7 @@ export function createMotionPainter(
       if (hull) edges()?.drawHullEdge(context, frame, hull, scratch);
     }
     if (layers.ties || picture.isTying) {
-      const segment = show.segmentAt(time);
-      const t = segment === null ? 0 : (time - show.startOf(segment)) / (show.endOf(segment) - show.startOf(segment));
-      drawTies(context, frame, scenery.ties, t, picture.isTying ? "all" : picture.isMarked);
+      drawTies(context, frame, scenery.ties, show.progressAt(time) ?? 0, picture.isTying ? "all" : picture.isMarked);
       const { cuts, obstacleTies } = track.keyframes[show.keyframeBefore(time)]?.adjacency ?? scene.adjacency;
       if (picture.isTying) drawCuts(context, frame, cuts);
       if (obstacleTies.length > 0) inTheWay()?.drawObstacleTies(context, frame, scene.obstacles, obstacleTies);
@@ -131,7 +129,7 @@ export function createMotionPainter(
     turns.draw(context, frame, isSparing);
     if (frame.cast.bodies) bodies()?.drawBodies(context, frame, picture.isMarked);
     drawAgents(context, frame);
-    if (frame.presence) absent()?.drawAbsent(context, frame, show.segmentAt(time) === null);
+    if (frame.presence) absent()?.drawAbsent(context, frame, show.progressAt(time));
     if (frame.cast.bodies) bodies()?.drawCores(context, frame, picture.isMarked);
     if (layers.names) drawNames(context, frame);
     if (frame.heights && picture.areHeightsShown) heights()?.drawHeights(context, frame, scene.stage.units);

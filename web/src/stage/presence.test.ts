@@ -3,7 +3,7 @@ import { DEFAULT_SEGMENT } from "../document/defaults";
 import { Formation } from "../document/formation";
 import type { Track } from "../document/scene";
 import { Show } from "../playback/show";
-import { presenceInto } from "./presence";
+import { presenceInto, traceOfGone } from "./presence";
 
 const stand = (time: number, absent: readonly number[]) => ({
   name: "",
@@ -47,4 +47,19 @@ test("nobody appears or is gone from one moment to the next, and who stays is th
     expect([now[0], now[3]]).toEqual([1, 0]);
     before = now;
   }
+});
+
+test("the trace of who is absent at both ends goes and comes by and by, and is not there halfway", () => {
+  expect(traceOfGone(null)).toBe(1);
+  expect(traceOfGone(0.5)).toBe(0);
+  const step = 0.01;
+  let before = traceOfGone(null);
+  for (let share = 0; share <= 1 + step / 2; share += step) {
+    const now = traceOfGone(Math.min(share, 1));
+    // The steepest place of a smoothstep is one and a half times as steep as the straight way over half of the time.
+    expect(Math.abs(now - before)).toBeLessThan(1.5 * 2 * step + 1e-9);
+    if (share <= 0.5) expect(now).toBeLessThanOrEqual(before + 1e-9);
+    before = now;
+  }
+  expect(before).toBeCloseTo(1, 6);
 });

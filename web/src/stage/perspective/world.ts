@@ -147,10 +147,8 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
     const scale = sight.focal / orbit.distance;
     const spacing = spacingAt(track, time);
     const seen = screenSpacing(spacing, scale);
-    const segment = show.segmentAt(time);
-    const start = segment === null ? 0 : show.startOf(segment);
     together.scenery = scenery;
-    together.share = segment === null ? 0 : (time - start) / (show.endOf(segment) - start);
+    together.share = show.progressAt(time) ?? 0;
     together.tieStrength = layers.ties ? fade(seen, 7, 20) : 0;
     together.isMarked = layers.ties ? picture.isMarked : null;
     together.hullAlpha = layers.groups ? palette.hullAlpha * fade(seen, 11, 16) : 0;
