@@ -3,7 +3,7 @@ import { HEIGHTS, LIMB } from "./figure";
 /**
  * How bodies are drawn: all agents of a kind at once. Turns come as cosines and sines, so that a corner costs little.
  *
- * `place` is where an agent is, `ahead` and `left` are its directions; `size` scales the body's geometry.
+ * `place` is where an agent is, `ahead` and `left` are its directions; `size` scales the body's geometry, and `share` the agent's.
  */
 const PLACED = /* glsl */ `
 attribute vec3 place;
@@ -11,6 +11,7 @@ attribute vec3 ahead;
 attribute vec3 left;
 attribute vec3 tint;
 attribute float presence;
+attribute float share;
 uniform float size;
 /** Where the body's own origin is above its place, in sizes. */
 uniform float lift;
@@ -23,7 +24,7 @@ void set(vec3 corner, vec3 outward) {
   vNormal = body * outward;
   vTint = tint;
   vPresence = presence;
-  vec3 at = place + size * (body * corner + vec3(0.0, 0.0, lift));
+  vec3 at = place + size * share * (body * corner + vec3(0.0, 0.0, lift));
   gl_Position = projectionMatrix * modelViewMatrix * vec4(at, 1.0);
 }
 `;

@@ -44,6 +44,8 @@ export interface Crowd {
   readonly place: Float32Array;
   readonly xy: Float32Array;
   readonly heights: Float32Array;
+  /** By agent, how large it is beside most. */
+  readonly shares: Float32Array;
   /** Everybody at `time`; allocates nothing. */
   pose(track: Track, show: Show, time: number, kind: BodyKind, sizes: BodySizes): void;
   /** Trails of `motion` at `time`, of bodies of `radius` meters; none without one. */
@@ -64,6 +66,7 @@ export function createCrowd(count: number): Crowd {
   const drops = createDrops(instances);
   const hulls = createHulls();
   const ties = createTieLines();
+  let grown: Float32Array | null = null;
   const group = new Group();
   group.add(hulls.mesh, ties.lines, trails.mesh, marks.mesh, drops.lines, ...bodies.meshes);
   return {
@@ -72,7 +75,10 @@ export function createCrowd(count: number): Crowd {
     place: instances.place,
     xy: movement.now,
     heights: movement.high,
+    shares: instances.share,
     pose(track, show, time, kind, sizes) {
+      if (sizes.shares !== grown) instances.grow(sizes.shares);
+      grown = sizes.shares;
       presenceInto(instances.presence, track, show, time);
       movement.poseInto(show, time, kind, sizes, instances);
       instances.moved(kind === "figures");

@@ -48,7 +48,7 @@ export function createEye(
   const box = computed<Box>(() => {
     const sheet = sheetOf(scene.value.stage);
     const content = contentOf(scene.value);
-    return { ...(content ? roomy(content) : sheet), height: highestOf(scene.value) + sizes.value.figure };
+    return { ...(content ? roomy(content) : sheet), height: highestOf(scene.value) + sizes.value.tallest };
   });
   const reach = computed<Reach>(() => {
     const sheet = sheetOf(scene.value.stage);

@@ -11,6 +11,8 @@ export class Instances {
   readonly limbs: Limbs;
   /** How much of them is to be seen, 0..1. */
   readonly presence: Float32Array;
+  /** How large they are beside most. */
+  readonly share: Float32Array;
   /** Red, green, blue as the screen takes them, 0..1. */
   readonly tint: Float32Array;
   /** 1 for who is selected, else 0. */
@@ -19,6 +21,7 @@ export class Instances {
   readonly attributes: Readonly<Record<string, InstancedBufferAttribute>>;
   private readonly moving: readonly InstancedBufferAttribute[];
   private readonly walking: readonly InstancedBufferAttribute[];
+  private readonly sizes: InstancedBufferAttribute;
   private readonly tints: InstancedBufferAttribute;
   private readonly choices: InstancedBufferAttribute;
 
@@ -27,6 +30,7 @@ export class Instances {
     this.ahead = new Float32Array(3 * count);
     this.left = new Float32Array(3 * count);
     this.presence = new Float32Array(count).fill(1);
+    this.share = new Float32Array(count).fill(1);
     this.tint = new Float32Array(3 * count);
     this.chosen = new Float32Array(count);
     this.limbs = {
@@ -49,17 +53,23 @@ export class Instances {
       rightArm: changing(this.limbs.rightArm, 4),
       posture: changing(this.limbs.posture, 3),
     };
+    this.sizes = new InstancedBufferAttribute(this.share, 1);
     this.tints = new InstancedBufferAttribute(this.tint, 3);
     this.choices = new InstancedBufferAttribute(this.chosen, 1);
     this.moving = Object.values(frame);
     this.walking = Object.values(limbs);
-    this.attributes = { ...frame, ...limbs, tint: this.tints, chosen: this.choices };
+    this.attributes = { ...frame, ...limbs, share: this.sizes, tint: this.tints, chosen: this.choices };
   }
 
   /** After places and directions were filled, and the limbs of who walks. */
   moved(isWalking: boolean): void {
     renew(this.moving);
     if (isWalking) renew(this.walking);
+  }
+
+  grow(shares: Float32Array): void {
+    this.share.set(shares);
+    this.sizes.needsUpdate = true;
   }
 
   paint(colors: readonly string[]): void {

@@ -9,6 +9,7 @@ const VERTEX = /* glsl */ `
 attribute vec3 place;
 attribute float chosen;
 attribute float presence;
+attribute float share;
 uniform float radius;
 varying vec2 vFrom;
 varying float vChosen;
@@ -19,8 +20,8 @@ void main() {
   vFrom = position.xy * 2.0 * ${REACH.toFixed(1)};
   vChosen = chosen;
   vPresence = presence;
-  vHeight = place.z / radius;
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position.xy * 2.0 * ${REACH.toFixed(1)} * radius + place.xy, 0.0, 1.0);
+  vHeight = place.z / (radius * share);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(vFrom * radius * share + place.xy, 0.0, 1.0);
 }
 `;
 

@@ -9,7 +9,7 @@ import { gaitsInto } from "./gait";
 import { Movement } from "./movement";
 import { shortestTurn } from "./orbit";
 
-const SIZES = { disc: 0.25, figure: 1.75 };
+const SIZES = { disc: 0.25, figure: 1.75, tallest: 1.75, shares: Float32Array.of(1, 1) };
 
 /** One who walks six meters to the right in ten seconds and on in ten, and one who stays; then both stand. */
 const track: Track = {

@@ -79,7 +79,7 @@ export class Movement {
       poses.place[3 * agent + 2] = this.high[agent] ?? 0;
       this.aimInto(agent, kind === "cones", poses.ahead, poses.left);
     }
-    if (kind === "figures") this.walkInto(show, time, sizes.figure, poses.limbs);
+    if (kind === "figures") this.walkInto(show, time, sizes, poses.limbs);
   }
 
   private sendAway(absent: readonly number[]): void {
@@ -118,7 +118,7 @@ export class Movement {
     left[k + 2] = -level * lean;
   }
 
-  private walkInto(show: Show, time: number, height: number, limbs: Limbs): void {
+  private walkInto(show: Show, time: number, { figure, shares }: BodySizes, limbs: Limbs): void {
     const segment = show.segmentAt(time);
     const { before, now, after, traveled, phases, reaches } = this;
     if (segment === null) {
@@ -129,6 +129,7 @@ export class Movement {
     }
     const totals = this.measure(show, segment, time);
     for (let agent = 0; agent < this.count; agent += 1) {
+      const height = figure * (shares[agent] ?? 1);
       const total = totals[agent] ?? 0;
       const strides = strideCount(total, STRIDE * height);
       // Who comes from standing or is about to stand takes shorter steps, and none at the stop itself.

@@ -39,9 +39,10 @@ export function drawNames(
 }
 
 function drawName(context: CanvasRenderingContext2D, { cast, palette, bodies, sight }: NamesLook, agent: number): void {
-  const { place, height } = bodies;
+  const { place, height, shares } = bodies;
   const k = 3 * agent;
-  sight.projectInto(place[k] ?? 0, place[k + 1] ?? 0, (place[k + 2] ?? 0) + height, at, 0);
+  const head = (place[k + 2] ?? 0) + height * (shares[agent] ?? 1);
+  sight.projectInto(place[k] ?? 0, place[k + 1] ?? 0, head, at, 0);
   if (at[2] === 0 || k >= place.length) return;
   drawPill(context, palette, cast.names[agent] ?? "", {
     x: at[0] ?? 0,

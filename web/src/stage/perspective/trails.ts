@@ -46,7 +46,7 @@ export interface Trails {
   dispose(): void;
 }
 
-export function createTrails({ count, tint }: Instances): Trails {
+export function createTrails({ count, tint, share: sizes }: Instances): Trails {
   const edge = new Float32Array(4 * PLACES * count);
   const rise = new Float32Array(2 * PLACES * count);
   const firmness = new Float32Array(2 * PLACES * count);
@@ -122,7 +122,8 @@ export function createTrails({ count, tint }: Instances): Trails {
           line[2 * place] = (xy[at] ?? 0) + ((xy[next] ?? 0) - (xy[at] ?? 0)) * share;
           line[2 * place + 1] = (xy[at + 1] ?? 0) + ((xy[next + 1] ?? 0) - (xy[at + 1] ?? 0)) * share;
         }
-        outlineInto(line, PLACES, TAIL * radius, HEAD * radius, edge, 4 * PLACES * agent);
+        const disc = radius * (sizes[agent] ?? 1);
+        outlineInto(line, PLACES, TAIL * disc, HEAD * disc, edge, 4 * PLACES * agent);
       }
       edges.needsUpdate = true;
       lift(motion.heights);

@@ -87,7 +87,7 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
   const airspace = createAirspace();
   const obstacles = createObstacles();
   space.add(ground.mesh, airspace.lines, obstacles.group);
-  const meetable: Meetable = { place: new Float32Array(0), height: 0, radius: 0 };
+  const meetable: Meetable = { place: new Float32Array(0), height: 0, radius: 0, shares: new Float32Array(0) };
   const clashes = new ClashFinder();
   const together: Togetherness = {
     scenery: picture.scenery,
@@ -128,6 +128,7 @@ export function createWorld(host: HTMLElement, picture: WorldPicture, onLost: ()
     crowd = createCrowd(agentCount);
     space.add(crowd.group);
     meetable.place = crowd.place;
+    meetable.shares = crowd.shares;
     return true;
   }
 
