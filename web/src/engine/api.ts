@@ -193,8 +193,10 @@ export type Planning =
       readonly kind: "planning";
       /** 0..1 */
       readonly progress: number;
-      /** What moves the agents meanwhile: the new motion before its numbers are there, else the last one. */
+      /** The new motion before its numbers are there, else the last one. */
       readonly motion: SegmentMotion | null;
+      /** Whether that is a motion of the scene as it is, which plays. */
+      readonly isCurrent: boolean;
       /** The last motion with its numbers, while there are none of the new scene. */
       readonly stale: SegmentPlan | null;
     }

@@ -42,7 +42,7 @@ interface Errand {
 /** A segment that takes the engine down with it so many times is not tried again by itself. */
 const CRASH_LIMIT = 2;
 
-const WAITING: Planning = { kind: "planning", progress: 0, motion: null, stale: null };
+const WAITING: Planning = { kind: "planning", progress: 0, motion: null, isCurrent: false, stale: null };
 
 export function createPlanner({ scene, isDragging, time, crew, counterpart = null }: PlannerInputs): Planner {
   const segments = signal<readonly Planning[]>([]);
@@ -70,9 +70,10 @@ export function createPlanner({ scene, isDragging, time, crew, counterpart = nul
     knownSegments = wanted.map((_, index) => {
       const known = knownSegments[index];
       const inputs = segmentInputs(to, index);
+      const isCurrent = known !== undefined && areSame(known.inputs, inputs);
       const isFinal = isDragging.peek() || !known?.isProvisional;
-      if (known && isFinal && areSame(known.inputs, inputs)) return known;
-      return { inputs, result: { kind: "planning", progress: 0, ...meanwhile(known?.result, to) } };
+      if (isCurrent && isFinal) return known;
+      return { inputs, result: { kind: "planning", progress: 0, isCurrent, ...meanwhile(known?.result, to) } };
     });
     knownTies = keyframes.map((_, index) => {
       const known = knownTies[index];
@@ -204,9 +205,9 @@ export function createPlanner({ scene, isDragging, time, crew, counterpart = nul
       case "moved": {
         const motion = motionFrom(message.motion);
         of.moved.set(message.segment, motion);
-        // Dragged on since, it is shown until the newest arrives.
+        // Dragged on since, its ways are shown until the newest arrives.
         if (known.result.kind === "planning" && movesAll(motion, scene.peek())) {
-          replace(message.segment, { ...known.result, motion });
+          replace(message.segment, { ...known.result, motion, isCurrent: areSame(known.inputs, inputs) });
         }
         break;
       }

@@ -1,6 +1,7 @@
 import { computed, type ReadonlySignal } from "@preact/signals";
 import { mainTrack } from "../document/scene";
 import { Show } from "../playback/show";
+import { motionNow } from "../stage/subject";
 import type { Seen } from "./seen";
 
 const shows = new WeakMap<Seen, ReadonlySignal<Show>>();
@@ -10,11 +11,8 @@ export function showOf(studio: Seen): ReadonlySignal<Show> {
   let show = shows.get(studio);
   if (!show) {
     show = computed(() => {
-      const motions = studio.planner.segments.value.map((planning) =>
-        planning.kind === "ready" ? planning.plan.motion : null,
-      );
       const scene = studio.document.scene.value;
-      return new Show(mainTrack(scene), motions, scene.join);
+      return new Show(mainTrack(scene), studio.planner.segments.value.map(motionNow), scene.join);
     });
     shows.set(studio, show);
   }

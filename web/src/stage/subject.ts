@@ -34,7 +34,7 @@ export function createSubject(
   let lastTies: readonly (TieList | null)[] = [];
   return {
     track,
-    show: computed(() => new Show(track.value, segments.value.map(readyMotion), join.value)),
+    show: computed(() => new Show(track.value, segments.value.map(motionNow), join.value)),
     lastMotions: computed(() => segments.value.map(lastMotion)),
     ties: computed(() => {
       const count = track.value.agents.length;
@@ -52,13 +52,14 @@ export function createSubject(
   };
 }
 
-function readyMotion(planning: Planning): SegmentMotion | null {
-  return planning.kind === "ready" ? planning.plan.motion : null;
+/** What a transition is drawn from: a motion of the scene as it is, be its numbers there or not. */
+export function motionNow(planning: Planning): SegmentMotion | null {
+  return planning.kind === "planning" && !planning.isCurrent ? null : lastMotion(planning);
 }
 
 function lastMotion(planning: Planning): SegmentMotion | null {
   if (planning.kind === "planning") return planning.motion;
-  return readyMotion(planning);
+  return planning.kind === "ready" ? planning.plan.motion : null;
 }
 
 function usable(ties: TieList | null, agentCount: number): TieList | null {

@@ -7,7 +7,7 @@ import { planningWords } from "./planning-words";
 const canceled: Planning = { kind: "canceled" };
 
 function planning(progress: number): Planning {
-  return { kind: "planning", progress, motion: null, stale: null };
+  return { kind: "planning", progress, motion: null, isCurrent: false, stale: null };
 }
 
 test("one transition is as far here as on its ribbon, whatever else is ready", () => {

@@ -34,12 +34,15 @@ test.each([
 });
 
 test("while it is planned anew a transition keeps its last shape and says how far the planning is", () => {
-  const state = transitionState({ kind: "planning", progress: 0.629, motion: null, stale: plan(0.9) }, 1);
+  const state = transitionState(
+    { kind: "planning", progress: 0.629, motion: null, isCurrent: false, stale: plan(0.9) },
+    1,
+  );
   expect(state).toMatchObject({ status: "clash", words: "Planning, 62 %", progress: 0.629 });
 });
 
 test("a transition never planned before has no status yet", () => {
-  const state = transitionState({ kind: "planning", progress: 0, motion: null, stale: null }, 1);
+  const state = transitionState({ kind: "planning", progress: 0, motion: null, isCurrent: false, stale: null }, 1);
   expect(state).toMatchObject({ status: "none", plan: null, words: "Planning, 0 %" });
 });
 
