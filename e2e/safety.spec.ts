@@ -121,7 +121,7 @@ async function openAll(studio: Studio, files: readonly (readonly [name: string, 
   return studio.stage.evaluate(
     async (stage, [toOpen, limit]) => {
       const ends: End[] = [];
-      const status = [...document.querySelectorAll("[role=status]")];
+      const said = () => [...document.querySelectorAll("[role=status] > *")].map(({ textContent }) => textContent);
       for (const [name, text] of toOpen) {
         const transfer = new DataTransfer();
         transfer.items.add(new File([text], name));
@@ -130,7 +130,7 @@ async function openAll(studio: Studio, files: readonly (readonly [name: string, 
         let words = "";
         while (words === "" && performance.now() - start < limit) {
           await new Promise((resolve) => setTimeout(resolve, 1));
-          words = status.map(({ textContent }) => textContent).find((said) => said.startsWith(`${name} `)) ?? "";
+          words = said().find((text) => text.startsWith(`${name} `)) ?? "";
         }
         ends.push({ name, words, milliseconds: Math.round(performance.now() - start) });
       }
