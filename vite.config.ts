@@ -1,5 +1,9 @@
 import { defineConfig } from "vite";
 
+/** What the inspector of a whole scene shows and does, and others too. */
+const CONTROLS =
+  /panels.controls|panels.inspector.(words|quantities|section|head|minimum|group-list|propose-groups)|document.(commands.(ties|scene)|edit|limits)|lucide/;
+
 export default defineConfig({
   root: "web",
   base: "./",
@@ -22,8 +26,9 @@ export default defineConfig({
         codeSplitting: {
           groups: [
             { name: "first", tags: ["$initial"], priority: 1 },
-            { name: "controls", test: /panels.(controls|inspector)|lucide/, minShareCount: 2 },
-            { name: "edits", test: /document.(commands|edit|limits|box|snap|round)/, minShareCount: 2 },
+            { name: "controls", test: CONTROLS, minShareCount: 2 },
+            { name: "inspector", test: /panels.inspector/, minShareCount: 2 },
+            { name: "edits", test: /document.(commands|box|snap|round)/, minShareCount: 2 },
           ],
         },
       },

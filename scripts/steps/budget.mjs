@@ -7,7 +7,10 @@ const DIST = join(root, "web/dist");
 const JAVASCRIPT_LIMIT = 60_000;
 const WASM_LIMIT = 400_000;
 
-/** The files a first visit loads before anything is opened: the entry, what it imports at once, and the worker. */
+/**
+ * What a first visit needs before its scene is drawn and planned: the entry, what it imports at once, and the worker.
+ * What comes behind that by itself, so that the page can be touched, is held by a story (e2e/first-load.spec.ts).
+ */
 async function firstLoad() {
   const manifest = JSON.parse(await readFile(join(DIST, ".vite/manifest.json"), "utf8"));
   const page = await readFile(join(DIST, "index.html"), "utf8");
