@@ -168,9 +168,10 @@ impl Job {
         if self.current.is_none() && self.tasks.is_empty() {
             return 1.0;
         }
-        let under_way = self.current.as_ref().filter(|(task, _)| task.parts.is_empty()).map_or(0, |(_, solver)| solver.settled());
+        let under_way = self.current.as_ref().filter(|(task, _)| task.parts.is_empty());
+        let under_way = under_way.map_or(0.0, |(task, solver)| task.agents.len() as f64 * solver.progress());
         // Not 1 while a task is left, although everybody may have a slot before the last prices are found.
-        (self.settled + under_way) as f64 / self.slots.len().max(1) as f64 * 0.999
+        (self.settled as f64 + under_way) / self.slots.len().max(1) as f64 * 0.999
     }
 
     /// Where obstacles are in somebody's way, agents and slots are matched a region at a time; else all goes straight.

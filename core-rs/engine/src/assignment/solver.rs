@@ -17,6 +17,8 @@ const COARSE_WORTHWHILE: f64 = 0.2;
 pub(super) struct Solver {
     /// The finest first.
     levels: Vec<(Ways, Search)>,
+    /// With those that are solved.
+    level_count: usize,
 }
 
 impl Solver {
@@ -30,7 +32,7 @@ impl Solver {
             levels.push((ways, search));
             match coarse {
                 Some(coarse) => ways = coarse,
-                None => return Self { levels },
+                None => return Self { level_count: levels.len(), levels },
             }
             size = size.div_ceil(2);
         }
@@ -54,9 +56,15 @@ impl Solver {
         false
     }
 
-    /// How many sources of the problem itself have a target.
-    pub(super) fn settled(&self) -> usize {
-        self.levels.first().map_or(0, |(_, search)| search.targets().len() - search.free_count())
+    /// How far it is, from 0 to 1: a level with half of the sources is a quarter of the work.
+    pub(super) fn progress(&self) -> f64 {
+        let work = |level: usize| 1.0 / f64::from(1_u32 << (2 * level));
+        let under_way = self.levels.last().map_or(0.0, |(_, search)| {
+            let settled = search.targets().len() - search.free_count();
+            work(self.levels.len() - 1) * settled as f64 / search.targets().len() as f64
+        });
+        let done: f64 = (self.levels.len()..self.level_count).map(work).sum();
+        (done + under_way) / (0..self.level_count).map(work).sum::<f64>()
     }
 
     /// By source, its target, once it is done.

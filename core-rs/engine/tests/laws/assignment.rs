@@ -288,3 +288,18 @@ proptest! {
         assert_least(&costs, &job.into_assignment());
     }
 }
+
+#[test]
+fn how_far_it_is_rises_with_every_step() {
+    // A drawn line to a ring: prices come from problems with fewer and fewer agents.
+    let count = 800;
+    let line = (0..count).map(|at| DVec2::new(f64::from(at), 0.0)).collect();
+    let [source, target] = [line, ring(count as usize, 300.0, 0.3)].map(Formation::new);
+    let spec = AssignmentSpec { cost: Cost::Squared, ..AssignmentSpec::default() };
+    let mut job = Job::new(&question(&source, &target, &spec)).unwrap();
+    let mut said = vec![0.0];
+    while *said.last().unwrap() < 1.0 {
+        said.push(job.step().unwrap());
+    }
+    assert!(said.is_sorted_by(|before, after| before < after), "{said:?}");
+}
