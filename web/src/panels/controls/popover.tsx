@@ -37,7 +37,9 @@ export function PopoverButton(props: PopoverProps) {
         popovertarget={id}
         data-tip={props.tip}
         data-tip-side={props.tipSide}
-        onClick={() => {
+        onClick={(event) => {
+          // What opens itself as it comes would be closed again by this very press.
+          if (!isWanted.value) event.preventDefault();
           isWanted.value = true;
         }}
       >
