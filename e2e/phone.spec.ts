@@ -1,6 +1,7 @@
 import { expectOpenToAll } from "./fixtures/axe";
 import type { SceneFile } from "./fixtures/scene-file";
 import { expect, type Place, type Studio, test } from "./fixtures/studio";
+import { smallTargets } from "./fixtures/targets";
 import { touch } from "./fixtures/touch";
 
 const LINE: readonly Place[] = [
@@ -105,6 +106,45 @@ test("nothing is out of reach on a narrow screen", async ({ studio, page }) => {
   await expectOpenToAll(studio, "share");
   expect(await overflow()).toBe(0);
   await page.keyboard.press("Escape");
+});
+
+test("a thumb meets every control in sight", async ({ studio, page }) => {
+  const expectWide = (where: string) => expect.poll(() => smallTargets(page), where).toEqual([]);
+  /** All of what the open sheet holds, as far as it is scrolled. */
+  async function expectWideSheet(where: string): Promise<void> {
+    const panel = studio.inspector.getByRole("tabpanel");
+    await panel.evaluate((element) => element.scrollTo(0, 0));
+    for (let page = 0; page < 6; page += 1) {
+      await expectWide(`${where}, ${page}`);
+      await panel.evaluate((element) => element.scrollBy(0, element.clientHeight / 2));
+    }
+  }
+
+  await page.setViewportSize({ width: 390, height: 844 });
+  await studio.openFirst();
+  await studio.planned();
+  await expectWide("first page");
+  for (const tool of ["Draw", "Shape"]) {
+    await studio.tool(tool).tap();
+    await expect(studio.stage.getByRole("spinbutton", { name: "Agents" })).toBeVisible();
+    await expectWide(tool);
+  }
+  await studio.tool("Select").tap();
+  for (const opener of ["More", "Menu"]) {
+    await studio.button(opener).tap();
+    await expect(page.getByRole("dialog", { name: opener })).toBeVisible();
+    await expectWide(opener);
+    await page.keyboard.press("Escape");
+  }
+
+  await page.keyboard.press("Control+a");
+  await expect(page.getByRole("toolbar", { name: "Selection" })).toBeVisible();
+  await expectWide("several agents");
+  await studio.button("Show inspector").tap();
+  await expectWideSheet("their sheet");
+  await studio.inspector.getByRole("button", { name: "Close" }).tap();
+  await studio.transitions.first().tap();
+  await expectWideSheet("a transition's sheet");
 });
 
 test("a link that was sent opens on the phone", async ({ studio, visitor, page }) => {

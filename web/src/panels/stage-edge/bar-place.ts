@@ -15,6 +15,8 @@ const GAP = 14;
 /** The rotate handle stands this far above the box. */
 const HANDLE = 30;
 const EDGE = 12;
+/** A sheet is taken hold of a little above its edge, too. */
+const OVER_A_SHEET = 28;
 /** The rail at the left and the pills at the top and bottom keep their place. */
 const INSET = { left: 64, top: 52, bottom: 56 } as const;
 /** On a phone the tools are at the foot of the stage. */
@@ -35,7 +37,7 @@ export function placeBar(
   const inset = stage.width <= PHONE ? INSET_ON_A_PHONE : INSET;
   const below = box.bottom + GAP;
   const above = box.top - HANDLE - bar.height;
-  const lowest = stage.height - Math.max(inset.bottom, covered + EDGE) - bar.height;
+  const lowest = stage.height - Math.max(inset.bottom, covered + OVER_A_SHEET) - bar.height;
   const top = below <= lowest ? below : above >= inset.top ? above : lowest;
   const middle = (box.left + box.right) / 2 - bar.width / 2;
   return {
