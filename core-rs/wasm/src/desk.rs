@@ -10,20 +10,38 @@ use eigenform::perform::{Aside, Counterpart, Performed, Performer, SegmentJob};
 use eigenform::scene::{self, Opened, Scene, Source};
 use eigenform::text;
 use glam::DVec2;
-use serde_json::json;
+use serde::Serialize;
 use wasm_bindgen::JsValue;
 
 /// Input the engine refuses, as the page reads it: JSON `{code, what, where}`; of a way that obstacles shut off also `noWay`, so that the
 /// page can call who and what by their names.
 pub struct Refusal(String);
 
+// Written out: `json!` makes maps of such answers, whose code is 3 kB of what a visitor loads.
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Refused {
+    code: &'static str,
+    what: String,
+    r#where: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    no_way: Option<NoWay>,
+}
+
+#[derive(Serialize)]
+struct NoWay {
+    agent: u32,
+    obstacle: u32,
+    distance: f64,
+}
+
 impl From<Error> for Refusal {
     fn from(error: Error) -> Self {
-        let mut refusal = json!({ "code": error.code(), "what": error.to_string(), "where": error.place() });
-        if let Error::NoWay { agent, obstacle, distance } = error {
-            refusal["noWay"] = json!({ "agent": agent, "obstacle": obstacle, "distance": distance });
-        }
-        Self(encode(&refusal))
+        let no_way = match error {
+            Error::NoWay { agent, obstacle, distance } => Some(NoWay { agent, obstacle, distance }),
+            _ => None,
+        };
+        Self(encode(&Refused { code: error.code(), what: error.to_string(), r#where: error.place(), no_way }))
     }
 }
 
@@ -43,7 +61,7 @@ pub fn choices(text: &str) -> Vec<Option<Choice>> {
     scene::document::read_choices(text).unwrap_or_else(|_| panic!("the client writes what the protocol says"))
 }
 
-pub fn encode<T: serde::Serialize>(value: &T) -> String {
+pub fn encode<T: Serialize>(value: &T) -> String {
     text::json(value)
 }
 
@@ -63,6 +81,13 @@ pub fn open(text: &str) -> Result<Option<String>, Refusal> {
     scene::open_own(text).map(|opened| Ok(told(&opened?))).transpose()
 }
 
+#[derive(Serialize)]
+struct Told<'a> {
+    scene: String,
+    source: &'static str,
+    notes: &'a [String],
+}
+
 /// A scene that was opened: JSON `{scene, source, notes}`.
 pub fn told(opened: &Opened) -> String {
     let source = match opened.source {
@@ -70,13 +95,21 @@ pub fn told(opened: &Opened) -> String {
         Source::Csv => "csv",
         Source::Link => "link",
     };
-    encode(&json!({ "scene": scene::document::write(&opened.scene), "source": source, "notes": opened.notes }))
+    encode(&Told { scene: scene::document::write(&opened.scene), source, notes: &opened.notes })
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct Linked<'a> {
+    fragment: &'a str,
+    rounding: f64,
+    broken_keyframes: &'a [usize],
 }
 
 pub fn link(scene: &Scene, is_short: bool) -> String {
     let precision = if is_short { scene::link::Precision::Short } else { scene::link::Precision::Exact };
     let link = scene::link::encode(scene, precision);
-    encode(&json!({ "fragment": link.fragment, "rounding": link.rounding, "brokenKeyframes": link.broken_keyframes }))
+    encode(&Linked { fragment: &link.fragment, rounding: link.rounding, broken_keyframes: &link.broken_keyframes })
 }
 
 pub fn begin(performer: &mut Performer, scene: &Scene, segment: usize, held: Option<&str>, counterpart: Option<&str>) -> SegmentJob {

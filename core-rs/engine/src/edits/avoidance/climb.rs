@@ -3,8 +3,8 @@
 use eigenform_apart::{Paths, Solver, State};
 
 use super::attempt::Attempt;
+use super::free;
 use super::gaps::lead_through;
-use super::is_among;
 use super::problem::Problem;
 use super::reroute::reroute;
 use super::rungs::{Bend, Rung};
@@ -49,12 +49,12 @@ impl Climb {
         let Problem { avoidance, guide, ways, shut_off, .. } = problem;
         let knot_count = rung.knot_count(*ways, avoidance.minimum_distance, guide.times().len());
         let mut paths = at_knots(guide, knot_count);
-        if rung.bend == Bend::Close {
-            let free: Vec<usize> = (0..guide.agent_count()).filter(|agent| !is_among(shut_off, *agent)).collect();
-            lead_through(&mut paths, &avoidance.obstacles, avoidance.minimum_distance, &free);
-        }
         if !avoidance.obstacles.is_empty() {
-            reroute(&mut paths, avoidance, rung.parting, |agent| is_among(shut_off, agent));
+            let free = free(guide.agent_count(), shut_off);
+            if rung.bend == Bend::Close {
+                lead_through(&mut paths, &avoidance.obstacles, avoidance.minimum_distance, &free);
+            }
+            reroute(&mut paths, avoidance, rung.parting, &free);
         }
         warp(&mut paths);
         let kernel = rung.kernel(*ways, avoidance, knot_count);

@@ -126,9 +126,10 @@ impl WayAround {
             groups: groups.to_vec(),
         };
         let shut_off = shut::shut_off(guide, &avoidance.blocked(guide, SLACK), obstacles, distance);
+        let free = free(guide.agent_count(), &shut_off);
         let around = |parting: Parting| {
             let mut paths = straight.clone();
-            reroute::reroute(&mut paths, &avoidance, parting, |agent| is_among(&shut_off, agent));
+            reroute::reroute(&mut paths, &avoidance, parting, &free);
             sampling::lifted(&sampling::difference(&paths, &straight), guide.times(), [true; 2])
         };
         let together = around(Parting::Ungrouped);
@@ -153,6 +154,11 @@ impl Avoidance {
 /// Whether no way leads an agent around obstacles.
 fn is_among(shut_off: &[ShutOff], agent: usize) -> bool {
     shut_off.binary_search_by_key(&agent, |shut| shut.agent as usize).is_ok()
+}
+
+/// Everybody else, in order.
+fn free(agent_count: usize, shut_off: &[ShutOff]) -> Vec<usize> {
+    (0..agent_count).filter(|agent| !is_among(shut_off, *agent)).collect()
 }
 
 /// The exact check alone, of a motion that something else keeps apart; the deviation is the caller's.

@@ -52,16 +52,15 @@ pub(super) enum Parting {
     Groups,
 }
 
-/// Leads paths around obstacles, save of those without a way; velocities at clamped ends stay.
-pub(super) fn reroute(paths: &mut Paths, avoidance: &Avoidance, parting: Parting, is_shut_off: impl Fn(usize) -> bool) {
+/// Leads the paths of those who are free to go around obstacles; velocities at clamped ends stay.
+pub(super) fn reroute(paths: &mut Paths, avoidance: &Avoidance, parting: Parting, free: &[usize]) {
     let Avoidance { obstacles: outlines, minimum_distance: distance, is_clamped, .. } = avoidance;
-    let free: Vec<usize> = (0..paths.agent_count()).filter(|agent| !is_shut_off(*agent)).collect();
     let guide = paths.clone();
     let mut is_moved = vec![false; paths.agent_count()];
     for _ in 0..ROUNDS {
         let mut has_blocked = false;
         for outline in outlines {
-            has_blocked |= around(paths, outline, avoidance, &free, parting, &mut is_moved);
+            has_blocked |= around(paths, outline, avoidance, free, parting, &mut is_moved);
         }
         if !has_blocked {
             break;
@@ -154,8 +153,8 @@ fn columns(
             let is_same = |column: &&mut Column| column.heading.dot(heading) > SAME_HEADING && column.side.dot(side) > 0.0;
             match columns.iter_mut().find(is_same) {
                 Some(column) => {
-                    column.members.extend(members);
-                    column.members.sort_unstable();
+                    let is_either = |agent: &usize| is_among(&column.members, *agent) || is_among(&members, *agent);
+                    column.members = free.iter().copied().filter(is_either).collect();
                 }
                 None => columns.push(Column { heading, side, members }),
             }
