@@ -72,7 +72,8 @@ const BAD_FILES: readonly (readonly [name: string, content: string | { bytes: nu
   ["words.csv", "keyframe,time,agent,group,x,y\n0,0,Ada,,left,0\n", /row 2.*"left".*must be a number/i],
   ["empty.json", "", /nothing to read/i],
   ["huge.json", { bytes: 65 * 1024 * 1024 }, /at most 64 MiB/i],
-  ["sound.ogg", "OggS\u0000\u0002\u0000\u0000\u0000\u0000", /no column|not text/i],
+  ["sound.ogg", "OggS\u0000\u0002\u0000\u0000\u0000\u0000", /not text/i],
+  ["letter.txt", "Dear Ada,\nwe meet at nine.\n", /no scene.*scene file.*keyframe CSV.*recording/i],
 ];
 
 test("a bad file says what is wrong and where, and leaves the scene as it was", async ({ studio }) => {

@@ -21,10 +21,10 @@ use crate::scene::limits;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Error {
     /// Nothing but white space.
-    #[error("there is nothing to read; give a scene file, a keyframe CSV or a link")]
+    #[error("there is nothing to read; give a scene file, a keyframe CSV, a recording or a link")]
     Empty,
     /// Bytes that are no UTF-8 text.
-    #[error("this is not text; a scene file, a keyframe CSV and a link are UTF-8 text")]
+    #[error("this is not text, so it is no scene; a scene file, a keyframe CSV, a recording and a link are UTF-8 text")]
     NotText {
         /// The first byte that does not fit.
         byte: usize,
@@ -37,6 +37,13 @@ pub enum Error {
         /// How many are allowed.
         limit: usize,
     },
+
+    /// Text of something else.
+    #[error(
+        "this is no scene; what opens is a scene file (JSON), a keyframe CSV (its first row is keyframe,time,agent,group,x,y), \
+         a recording of motion or a link"
+    )]
+    Unrecognized,
 
     /// What is wrong in the text of a scene file.
     #[error(transparent)]

@@ -57,7 +57,7 @@ fn bad_input_is_two_and_says_where() {
         (&["motion", "crowd.txt"], "recording: "),
         (&["convert", "crowd.txt", "out.json"], "recording: "),
         (&["convert", "crowd.txt", "out.json", "--frames", "0,2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--frames)"),
-        (&["convert", "show.json", "out.json", "--frames", "0,1"], "cut-row: "),
+        (&["convert", "show.json", "out.json", "--frames", "0,1"], "not-a-recording: "),
         (&["modes", "show.json", "--keyframe", "2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--keyframe)"),
         (&["assign", "show.json", "--from", "0", "--to", "7"], "out-of-range: "),
         (&["groups", "show.json", "--keyframe", "2"], "out-of-range: "),
@@ -201,6 +201,16 @@ fn a_failure_leaves_the_file_that_was_there() {
     desk.put("motion.csv", "precious");
     check(&desk, &["motion", "show.json", "--method", "fast", "--out", "motion.csv"], 2, "unknown-value: ");
     assert_eq!(desk.read("motion.csv"), "precious");
+}
+
+#[test]
+fn a_file_of_something_else_is_told_what_opens() {
+    let desk = Desk::new();
+    desk.put("letter.txt", "Dear Ada,\nwe meet at nine.\n");
+    desk.put("page.html", "<!doctype html>\n<title>Time</title>\n");
+    for name in ["letter.txt", "page.html"] {
+        check(&desk, &["check", name], 2, "not-a-scene: this is no scene; what opens is a scene file (JSON), a keyframe CSV (");
+    }
 }
 
 #[test]

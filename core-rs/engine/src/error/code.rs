@@ -13,7 +13,7 @@ impl Error {
             Self::LinkCut => "link-cut",
             Self::LinkDamaged => "link-damaged",
             Self::LinkTooLarge => "link-too-large",
-            Self::NotAScene { .. } => "not-a-scene",
+            Self::Unrecognized | Self::NotAScene { .. } => "not-a-scene",
             Self::NewerVersion { .. } => "newer-version",
             Self::UnknownValue { .. } => "unknown-value",
             Self::Unsupported { .. } => "unsupported",
@@ -59,6 +59,7 @@ impl Error {
     pub fn place(&self) -> String {
         match self {
             Self::Empty
+            | Self::Unrecognized
             | Self::NotALink
             | Self::LinkCut
             | Self::LinkDamaged

@@ -3,6 +3,12 @@
 /// A refusal of a recording, or of the frames that are to become keyframes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RecordingError {
+    /// Text of something else.
+    #[error(
+        "this is no recording of motion; one has the columns frame,time,agent,x,y,z, or rows of id frame x y \
+         and a line such as \"# framerate: 25.00 fps\" before them"
+    )]
+    Unrecognized,
     /// A recording that does not say how fast it is.
     #[error("there is no frame rate; a line such as \"# framerate: 25.00 fps\" stands before the rows")]
     NoFrameRate,
@@ -62,6 +68,7 @@ impl RecordingError {
     /// Stable, kebab-case.
     pub(super) fn code(&self) -> &'static str {
         match self {
+            Self::Unrecognized => "not-a-recording",
             Self::NoFrameRate => "no-frame-rate",
             Self::OneFrame => "one-frame",
             Self::UnevenFrames { .. } => "uneven-frames",
@@ -76,7 +83,7 @@ impl RecordingError {
     pub(super) fn place(&self) -> String {
         match self {
             Self::UnevenFrames { row, .. } | Self::RepeatedSample { row, .. } | Self::Gap { row, .. } => format!("row {row}"),
-            Self::NoFrameRate | Self::OneFrame | Self::TooManySamples { .. } | Self::NobodyThere => String::new(),
+            Self::Unrecognized | Self::NoFrameRate | Self::OneFrame | Self::TooManySamples { .. } | Self::NobodyThere => String::new(),
         }
     }
 }

@@ -21,6 +21,12 @@ pub enum TableError {
         /// The names there are.
         admissible: &'static [&'static str],
     },
+    /// Columns with something else between them than commas.
+    #[error("there are {separators} between the columns; a CSV has commas there, and points in its numbers")]
+    NotCommas {
+        /// What there is, in words.
+        separators: &'static str,
+    },
     /// A column twice.
     #[error("there are two columns \"{column}\"; each occurs once")]
     RepeatedColumn {
@@ -85,6 +91,7 @@ impl TableError {
         match self {
             Self::MissingColumn { .. } => "missing-column",
             Self::UnknownColumn { .. } => "unknown-column",
+            Self::NotCommas { .. } => "not-commas",
             Self::RepeatedColumn { .. } => "repeated-column",
             Self::CutRow { .. } => "cut-row",
             Self::NotANumber { .. } => "not-a-number",
@@ -97,7 +104,9 @@ impl TableError {
     /// Where in the table, in words.
     pub(super) fn place(&self) -> String {
         match self {
-            Self::MissingColumn { .. } | Self::UnknownColumn { .. } | Self::RepeatedColumn { .. } => "row 1".to_owned(),
+            Self::MissingColumn { .. } | Self::UnknownColumn { .. } | Self::NotCommas { .. } | Self::RepeatedColumn { .. } => {
+                "row 1".to_owned()
+            }
             Self::NotANumber { column, row, .. } => format!("row {row}, column {column}"),
             Self::CutRow { row, .. } | Self::RepeatedRow { row, .. } | Self::TimesDiffer { row, .. } => format!("row {row}"),
             Self::MissingRow { keyframe, .. } => format!("keyframe {keyframe}"),

@@ -67,7 +67,9 @@ pub fn open_bytes(bytes: &[u8]) -> Result<Opened, Error> {
 fn source(text: &str) -> Source {
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let first_line = text.lines().next().unwrap_or("");
-    let is_link = first_line.contains("#s=") || ["#", "http://", "https://"].iter().any(|start| first_line.starts_with(start));
+    // Of a link that was cut, #s may be left; behind another # stands a heading or a comment.
+    let is_cut = first_line == "#" || first_line.starts_with("#s");
+    let is_link = is_cut || first_line.contains("#s=") || ["http://", "https://"].iter().any(|start| first_line.starts_with(start));
     match text.bytes().next() {
         Some(b'{') => Source::Scene,
         _ if is_link => Source::Link,
@@ -89,6 +91,9 @@ mod tests {
             ("{\"title\": \"#s=1.\"}", Source::Scene),
             ("keyframe,time,agent,group,x,y\n", Source::Csv),
             ("", Source::Csv),
+            ("# Notes\n", Source::Csv),
+            ("#!/bin/sh\n", Source::Csv),
+            ("#", Source::Link),
             ("#s=1.AAAA", Source::Link),
             ("  https://example.org/eigenform/#s=1.AAAA", Source::Link),
             ("https://example.org/eigenform/", Source::Link),

@@ -98,7 +98,7 @@ fn a_show_too_long_for_its_frames_gets_fewer_frames() {
 #[test]
 fn every_refusal_names_its_row() {
     let row = |row: &str| format!("{TWO_BY_TWO}{row}\n");
-    check("", "empty", "", "there is nothing to read; give a scene file, a keyframe CSV or a link");
+    check("", "empty", "", "there is nothing to read; give a scene file, a keyframe CSV, a recording or a link");
     check("keyframe,time,agent,group,x,y\n", "no-keyframes", "keyframes", "there is no keyframe; a scene has at least one");
     let missing = "there is no column \"y\"; the first row names the columns, such as keyframe,time,agent,group,x,y";
     check("keyframe,time,agent,group,x\n", "missing-column", "row 1", missing);

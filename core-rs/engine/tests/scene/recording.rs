@@ -140,6 +140,9 @@ fn frames_become_keyframes_of_those_who_are_there() {
 fn every_refusal_names_its_row() {
     let row = |row: &str| format!("{CROWD}{row}\n");
     check("", "empty", "");
+    for text in ["Dear Ada,\n", "{ \"format\": \"eigenform\" }", "keyframe,time,agent,x,y\n0,0,a,1,2\n"] {
+        check(text, "not-a-recording", "");
+    }
     check(&CROWD.replace("framerate", "speed"), "no-frame-rate", "");
     check(&CROWD.replace("25.00 fps", "fast"), "not-a-number", "row 2, column framerate");
     check(&CROWD.replace("25.00 fps", "0 fps"), "out-of-range", "row 2, framerate");

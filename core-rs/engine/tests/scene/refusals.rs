@@ -56,7 +56,26 @@ fn a_text_that_is_no_scene_says_what_it_is() {
     check(r#"{ "format": "eigenform", "version": 1, "keyframes": [] }"#, "no-keyframes", "keyframes");
     check(r#"{ "format": "eigenform", "version": 1, "keyframes": [{}] }"#, "missing-field", "keyframes[0]");
     assert_eq!(open_bytes(b"{ \"title\": \"\xff\" }").unwrap_err().code(), "not-text");
-    assert_eq!(open("one,two\n1,2\n").unwrap_err().code(), "unknown-column");
+}
+
+#[test]
+fn a_file_of_something_else_is_told_what_opens() {
+    let minified = format!("<!doctype html><title>Time</title>{}", "<p>".repeat(5_000));
+    for text in ["one,two\n1,2\n", "Dear Ada,\nwe meet at nine.\n", "<html>\n<meta name=\"x\">\n", &minified, "# Notes\n", "0,0,a,,1,2\n"] {
+        let error = open(text).expect_err(text);
+        assert_eq!((error.code(), error.place().as_str()), ("not-a-scene", ""), "{text}");
+        let told = error.to_string();
+        assert!(["scene file", "keyframe CSV", "recording", "link"].iter().all(|kind| told.contains(kind)), "{told}");
+    }
+    for bytes in [&b"OggS\0\x02\0\0"[..], b"\x89PNG\r\n\x1a\n", b"\xff\xfek\0e\0y\0"] {
+        assert_eq!(open_bytes(bytes).unwrap_err().code(), "not-text");
+    }
+    // What is nearly a keyframe CSV is told what it lacks.
+    assert_eq!(open("keyframe,time,agent,height\n").unwrap_err().code(), "unknown-column");
+    assert_eq!(open("time,agent,x,y\n").unwrap_err().code(), "missing-column");
+    for separator in [";", "\t"] {
+        assert_eq!(open(&"keyframe,time,agent,x,y\n0,0,a,1,2\n".replace(',', separator)).unwrap_err().code(), "not-commas");
+    }
 }
 
 #[test]

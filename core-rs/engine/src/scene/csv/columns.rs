@@ -15,6 +15,28 @@ pub(in crate::scene) struct Shape {
     pub(in crate::scene) example: &'static str,
 }
 
+/// What else spreadsheets write between columns: where numbers have commas, semicolons.
+const SEPARATORS: [(char, &str); 2] = [(';', "semicolons"), ('\t', "tabs")];
+
+impl Shape {
+    /// Whether the first row of a text names a column, whatever stands between them.
+    pub(super) fn is_begun_by(&self, text: &str) -> bool {
+        let first = text.trim_start().split(['\r', '\n']).next().unwrap_or("");
+        first.split([',', ';', '\t']).any(|name| self.has(name))
+    }
+
+    fn has(&self, name: &str) -> bool {
+        let name = name.trim().trim_matches('"').trim();
+        self.columns.iter().any(|known| known.eq_ignore_ascii_case(name))
+    }
+
+    /// What stands between columns in place of commas, in words.
+    fn other_separators(&self, name: &str) -> Option<&'static str> {
+        let parts = |separator: char| name.contains(separator) && name.split(separator).any(|name| self.has(name));
+        SEPARATORS.iter().find(|(separator, _)| parts(*separator)).map(|(_, words)| *words)
+    }
+}
+
 /// Where each column of the shape stands in this file.
 pub(super) struct Columns {
     shape: &'static Shape,
@@ -30,6 +52,9 @@ impl Columns {
         for (place, name) in header.iter().enumerate() {
             let name = name.trim();
             let Some(column) = columns.iter().position(|known| known.eq_ignore_ascii_case(name)) else {
+                if let Some(separators) = shape.other_separators(name) {
+                    return Err(TableError::NotCommas { separators }.into());
+                }
                 return Err(TableError::UnknownColumn { column: shown(name), admissible: columns }.into());
             };
             if places[column].replace(place).is_some() {

@@ -36,6 +36,9 @@ pub fn read_csv(text: &str) -> Result<Read, Error> {
     if text.trim().is_empty() {
         return Err(Error::Empty);
     }
+    if !SHAPE.is_begun_by(text) {
+        return Err(text.find('\0').map_or(Error::Unrecognized, |byte| Error::NotText { byte }));
+    }
     scene(&table(text)?)
 }
 

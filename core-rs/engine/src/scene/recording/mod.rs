@@ -11,7 +11,7 @@ mod text;
 use glam::DVec2;
 
 use super::limits;
-use crate::error::Error;
+use crate::error::{Error, RecordingError};
 
 /// Where agents were, frame by frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,7 +84,13 @@ pub fn read_recording(text: &str) -> Result<Recording, Error> {
     if text.trim().is_empty() {
         return Err(Error::Empty);
     }
-    if csv::has_header(text) { csv::read(text) } else { text::read(text) }
+    if csv::has_header(text) {
+        csv::read(text)
+    } else if text::has_head(text) {
+        text::read(text)
+    } else {
+        Err(RecordingError::Unrecognized.into())
+    }
 }
 
 /// Whether a text is a recording rather than a scene, by how it begins.
