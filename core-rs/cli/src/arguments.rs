@@ -3,8 +3,10 @@
 mod files;
 mod formations;
 mod motions;
+mod number;
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
+use std::path::Path;
 
 use clap::{Args, Parser, Subcommand};
 
@@ -84,7 +86,7 @@ pub struct Source {
     #[arg(long, value_name = "JOIN")]
     pub join: Option<String>,
     /// In place of the scene's minimum distance, meters
-    #[arg(long, value_name = "METERS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "METERS", value_parser = number::real, allow_negative_numbers = true)]
     pub minimum_distance: Option<f64>,
     /// In place of every transition's avoidance: true or false; alone it means true
     #[arg(long, value_name = "BOOLEAN")]
@@ -95,12 +97,18 @@ pub struct Source {
 pub fn typed() -> Vec<OsString> {
     let mut typed: Vec<OsString> = std::env::args_os().collect();
     for at in 0..typed.len() {
-        let has_value = typed.get(at + 1).is_some_and(|next| next == "true" || next == "false");
+        let has_value = typed.get(at + 1).is_some_and(|next| is_word(next));
         if typed[at] == "--avoidance" && !has_value {
             typed[at].push("=true");
         }
     }
     typed
+}
+
+/// Whether this can be no scene: a word without any sign in it, and no file.
+fn is_word(typed: &OsStr) -> bool {
+    let is_plain = typed.to_str().is_some_and(|text| text.chars().all(char::is_alphanumeric));
+    typed == "true" || typed == "false" || is_plain && !Path::new(typed).exists()
 }
 
 #[cfg(test)]

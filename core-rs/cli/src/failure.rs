@@ -1,11 +1,15 @@
 //! What ends a run early: one line on stderr and an exit code.
 
+use std::error::Error as _;
 use std::fmt::{self, Display, Formatter};
 use std::io::{self, Write as _};
 use std::path::Path;
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue};
 use eigenform::error::Error;
+
+use crate::input::quoted;
 
 /// Bad input or usage.
 const INPUT: u8 = 2;
@@ -81,12 +85,25 @@ impl From<clap::Error> for Failure {
         if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
             return Self::usage("what is to be done is missing", "eigenform --help lists the verbs");
         }
+        if let Some(failure) = mistyped(&error) {
+            return failure;
+        }
         let text = error.to_string();
         // The first paragraph says what is wrong; tips and the usage follow it.
         let lines = text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim);
         let what = lines.collect::<Vec<_>>().join(" ");
         Self::usage(what.strip_prefix("error: ").unwrap_or(&what), "eigenform --help, or the verb's")
     }
+}
+
+/// A value that is none: what was typed, why not, and the option.
+fn mistyped(error: &clap::Error) -> Option<Failure> {
+    let typed = |kind: ContextKind| match error.get(kind) {
+        Some(ContextValue::String(text)) => Some(text.as_str()),
+        _ => None,
+    };
+    let (value, argument, why) = (typed(ContextKind::InvalidValue)?, typed(ContextKind::InvalidArg)?, error.source()?);
+    Some(Failure::usage(format!("{} {why}", quoted(value)), argument.split(' ').next().unwrap_or(argument)))
 }
 
 impl Display for Failure {

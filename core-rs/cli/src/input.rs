@@ -7,7 +7,6 @@ use std::path::Path;
 
 use eigenform::choice::{Join, MethodName};
 use eigenform::error::Error;
-use eigenform::formation::Formation;
 use eigenform::scene::{self, Opened, Read, Scene, Segment, limits, open, open_bytes, recording, validate};
 
 use crate::arguments::Source;
@@ -65,14 +64,16 @@ pub fn read_bytes(name: &str) -> Result<Vec<u8>, Failure> {
     }
 }
 
-/// The formation of a keyframe that an option names.
-pub fn formation<'s>(scene: &'s Scene, keyframe: usize, option: &str) -> Result<&'s Formation, Failure> {
-    let keyframes = &scene.main_track().keyframes;
-    if let Some(keyframe) = keyframes.get(keyframe) {
-        return Ok(&keyframe.positions);
-    }
-    let (value, high) = (keyframe as f64, (keyframes.len() - 1) as f64);
-    Err(Error::OutOfRange { value, low: 0.0, high, place: option.to_owned() }.into())
+/// The keyframe that an option names.
+pub fn keyframe(scene: &Scene, number: i64, option: &str) -> Result<usize, Failure> {
+    whole_within(number, &(0..=scene.main_track().keyframes.len() - 1), option)
+}
+
+/// A whole number that an option gives, if it is admissible.
+pub fn whole_within(number: i64, admissible: &RangeInclusive<usize>, option: &str) -> Result<usize, Failure> {
+    let (low, high) = (*admissible.start() as f64, *admissible.end() as f64);
+    let found = usize::try_from(number).ok().filter(|number| admissible.contains(number));
+    found.ok_or_else(|| Error::OutOfRange { value: number as f64, low, high, place: option.to_owned() }.into())
 }
 
 /// A number that an option gives, if it is admissible.

@@ -44,5 +44,11 @@ fn temporary_beside(target: &Path) -> io::Result<tempfile::NamedTempFile> {
         // As any new file: the process's mask decides. A temporary file is its owner's alone otherwise.
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
-    builder.tempfile_in(parent)
+    // The temporary name is in the error; the folder is what a person knows.
+    builder.tempfile_in(&parent).map_err(|error| match error.kind() {
+        kind @ (io::ErrorKind::NotFound | io::ErrorKind::NotADirectory) => {
+            io::Error::new(kind, format!("there is no folder {}", parent.display()))
+        }
+        kind => kind.into(),
+    })
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::Source;
+use super::{Source, number};
 
 /// `link`.
 #[derive(Args, Debug)]
@@ -55,7 +55,7 @@ pub struct Convert {
     #[command(flatten)]
     pub source: Source,
     /// Make a scene of these frames of a recording, by their numbers in it
-    #[arg(long, value_name = "FRAMES", value_delimiter = ',', allow_negative_numbers = true)]
+    #[arg(long, value_name = "FRAMES", value_parser = number::whole, value_delimiter = ',', allow_negative_numbers = true)]
     pub frames: Option<Vec<i64>>,
     /// A file named .json or .csv, or - for standard output
     pub out: PathBuf,

@@ -2,7 +2,7 @@
 
 use clap::Args;
 
-use super::Source;
+use super::{Source, number};
 
 /// `modes`.
 #[derive(Args, Debug)]
@@ -24,8 +24,8 @@ pub struct Modes {
     #[command(flatten)]
     pub source: Source,
     /// Which keyframe, from 0
-    #[arg(long, value_name = "K")]
-    pub keyframe: usize,
+    #[arg(long, value_name = "K", value_parser = number::whole, allow_negative_numbers = true)]
+    pub keyframe: i64,
     /// Print JSON; without it the eigenvalues, one a line
     #[arg(long)]
     pub json: bool,
@@ -55,19 +55,19 @@ pub struct Assign {
     #[command(flatten)]
     pub source: Source,
     /// The keyframe the agents leave, from 0
-    #[arg(long, value_name = "K")]
-    pub from: usize,
+    #[arg(long, value_name = "K", value_parser = number::whole, allow_negative_numbers = true)]
+    pub from: i64,
     /// The keyframe whose places they take, from 0
-    #[arg(long, value_name = "K")]
-    pub to: usize,
+    #[arg(long, value_name = "K", value_parser = number::whole, allow_negative_numbers = true)]
+    pub to: i64,
     /// What is to be least in sum: squared, least-effort, euclidean, manhattan, or keep
     #[arg(long, value_name = "COST", default_value = "squared")]
     pub cost: String,
     /// How much the way counts in least-effort, 0 to 1; 0.9 without it, and nothing to other costs
-    #[arg(long, value_name = "LAMBDA", allow_negative_numbers = true)]
+    #[arg(long, value_name = "LAMBDA", value_parser = number::real, allow_negative_numbers = true)]
     pub lambda: Option<f64>,
     /// An agent and the place it takes whatever it costs; may be given again and again
-    #[arg(long, value_name = "AGENT:PLACE")]
+    #[arg(long, value_name = "AGENT:PLACE", allow_hyphen_values = true)]
     pub lock: Vec<String>,
     /// Give groups regions first, and their agents places within them
     #[arg(long)]
@@ -101,13 +101,13 @@ pub struct Shape {
     /// A picture or drawing, - for standard input, path data, or text
     pub input: String,
     /// How many agents, 1 to 5,000
-    #[arg(long, value_name = "N")]
-    pub agents: usize,
+    #[arg(long, value_name = "N", value_parser = number::whole, allow_negative_numbers = true)]
+    pub agents: i64,
     /// Of every random choice
-    #[arg(long, value_name = "S", default_value_t = 0)]
-    pub seed: u32,
+    #[arg(long, value_name = "S", value_parser = number::whole, default_value_t = 0, allow_negative_numbers = true)]
+    pub seed: i64,
     /// What is darker than this is the shape, 0.01 to 0.99; with transparency, what is more opaque than 1 minus it
-    #[arg(long, value_name = "BRIGHTNESS", default_value_t = 0.5, allow_negative_numbers = true)]
+    #[arg(long, value_name = "BRIGHTNESS", value_parser = number::real, default_value_t = 0.5, allow_negative_numbers = true)]
     pub threshold: f64,
     /// What is not, instead
     #[arg(long)]
@@ -116,10 +116,10 @@ pub struct Shape {
     #[arg(long)]
     pub outline: bool,
     /// From left to right, meters; its depth follows
-    #[arg(long, value_name = "METERS", allow_negative_numbers = true)]
+    #[arg(long, value_name = "METERS", value_parser = number::real, allow_negative_numbers = true)]
     pub width: Option<f64>,
     /// How near two may stand, meters; the scene's minimum distance, too
-    #[arg(long, value_name = "METERS", default_value_t = 0.0, allow_negative_numbers = true)]
+    #[arg(long, value_name = "METERS", value_parser = number::real, default_value_t = 0.0, allow_negative_numbers = true)]
     pub minimum_distance: f64,
     /// For text: a family of fonts on this machine
     #[arg(long, value_name = "FAMILY")]
@@ -144,11 +144,11 @@ pub struct Groups {
     #[command(flatten)]
     pub source: Source,
     /// Which keyframe, from 0
-    #[arg(long, value_name = "K")]
-    pub keyframe: usize,
+    #[arg(long, value_name = "K", value_parser = number::whole, allow_negative_numbers = true)]
+    pub keyframe: i64,
     /// How readily an agent stands for a group, square meters; nearer to 0, more groups. Without it the median
     /// similarity, which is minus a squared change of distance
-    #[arg(long, value_name = "P", allow_negative_numbers = true)]
+    #[arg(long, value_name = "P", value_parser = number::real, allow_negative_numbers = true)]
     pub preference: Option<f64>,
     /// How distances are measured: euclidean or manhattan
     #[arg(long, value_name = "METRIC", default_value = "euclidean")]

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::Source;
+use super::{Source, number};
 
 /// Meters a second: the mean of pedestrians that paper D's forces are made for (Helbing and Molnár 1995).
 const WALKING_PACE: &str = "1.34";
@@ -28,7 +28,7 @@ pub struct Motion {
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
     /// Only at these instants, seconds, in full precision from the method itself; as JSON
-    #[arg(long, value_name = "TIMES", value_delimiter = ',', allow_negative_numbers = true)]
+    #[arg(long, value_name = "TIMES", value_parser = number::real, value_delimiter = ',', allow_negative_numbers = true)]
     pub at: Option<Vec<f64>>,
     /// Print JSON
     #[arg(long)]
@@ -107,10 +107,10 @@ pub struct Compare {
     #[arg(long, value_name = "COSTS", value_delimiter = ',', default_value = "keep")]
     pub costs: Vec<String>,
     /// How much the way counts in least effort, 0–1; that of the transition's recipe, else 0.9
-    #[arg(long, value_name = "NUMBER")]
+    #[arg(long, value_name = "NUMBER", value_parser = number::real, allow_negative_numbers = true)]
     pub lambda: Option<f64>,
     /// Everybody goes at this pace, in meters a second, and arrives when they do; without it at the keyframe's time
-    #[arg(long, value_name = "PACE", num_args = 0..=1, require_equals = true, default_missing_value = WALKING_PACE)]
+    #[arg(long, value_name = "PACE", value_parser = number::real, num_args = 0..=1, require_equals = true, default_missing_value = WALKING_PACE)]
     pub free_arrival: Option<f64>,
     /// Print JSON, with curves over time; without it a table
     #[arg(long)]
@@ -130,8 +130,8 @@ pub struct Spread {
     #[command(flatten)]
     pub source: Source,
     /// Only this transition, from 0
-    #[arg(long, value_name = "K")]
-    pub segment: Option<usize>,
+    #[arg(long, value_name = "K", value_parser = number::whole, allow_negative_numbers = true)]
+    pub segment: Option<i64>,
     /// Also what goes far from the transition as it was
     #[arg(long)]
     pub wild: bool,

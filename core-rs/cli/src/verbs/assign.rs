@@ -52,16 +52,18 @@ struct Report<'a> {
 pub fn run(arguments: &Assign) -> Result<Vec<String>, Failure> {
     let Opened { scene, notes, .. } = input::read(&arguments.source)?;
     let spec = spec(arguments, &scene)?;
+    let [from, to] = [(arguments.from, "--from"), (arguments.to, "--to")].map(|(number, option)| input::keyframe(&scene, number, option));
+    let [from, to] = [from?, to?].map(|keyframe| &scene.main_track().keyframes[keyframe]);
     let question = Question {
-        source: input::formation(&scene, arguments.from, "--from")?,
-        target: input::formation(&scene, arguments.to, "--to")?,
+        source: &from.positions,
+        target: &to.positions,
         spec: &spec,
         sections: &group_levels(&scene.groups, scene.main_track().agents.len()),
         is_flipped: arguments.flip,
         is_predicted: arguments.predict,
     };
     let rest = input::word(&arguments.rest, &RESTS, "--rest")?;
-    let absent = &scene.main_track().keyframes[arguments.to].absent;
+    let absent = &to.absent;
     let spared: &[u32] = if rest == Rest::Stay { absent } else { &[] };
     let mut job = Job::around(&question, &scene.obstacle_shapes(), scene.minimum_distance)?.sparing(spared);
     while job.step()? < 1.0 {}

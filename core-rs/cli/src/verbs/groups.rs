@@ -26,8 +26,7 @@ pub fn run(arguments: &Groups) -> Result<Vec<String>, Failure> {
     if arguments.preference.is_some_and(|preference| !preference.is_finite()) {
         return Err(Error::NotFinite { place: "--preference".to_owned() }.into());
     }
-    input::formation(&scene, arguments.keyframe, "--keyframe")?;
-    let [source, target] = scene.way_at(arguments.keyframe)?;
+    let [source, target] = scene.way_at(input::keyframe(&scene, arguments.keyframe, "--keyframe")?)?;
     let everybody: Vec<u32> = (0..source.agent_count() as u32).collect();
     let mut job = AffinityJob::new(source, target, &everybody, metric, preference);
     while job.step() < 1.0 {}

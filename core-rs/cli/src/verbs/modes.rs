@@ -53,15 +53,16 @@ const STEPS: usize = 32;
 
 pub fn run(arguments: &Modes) -> Result<Vec<String>, Failure> {
     let Opened { scene, notes, .. } = input::read(&arguments.source)?;
-    let formation = input::formation(&scene, arguments.keyframe, "--keyframe")?;
+    let keyframe = input::keyframe(&scene, arguments.keyframe, "--keyframe")?;
+    let formation = &*scene.main_track().keyframes[keyframe].positions;
     let mut performer = Performer::default();
-    let adjacency = performer.graph(&scene, arguments.keyframe)?;
-    let basis = performer.eigenbasis(&scene, arguments.keyframe)?;
+    let adjacency = performer.graph(&scene, keyframe)?;
+    let basis = performer.eigenbasis(&scene, keyframe)?;
     let report = Report {
         eigenvalues: basis.eigenvalues().to_vec(),
         ties: adjacency.ties().iter().map(|tie| (tie.a, tie.b, tie.weight)).collect(),
         vectors: arguments.vectors.then(|| vectors(&basis, formation)),
-        change: if arguments.next { Some(change(&scene, arguments.keyframe, &mut performer)?) } else { None },
+        change: if arguments.next { Some(change(&scene, keyframe, &mut performer)?) } else { None },
     };
     let json = || serde_json::to_string(&report).expect("numbers are JSON");
     output::print(&if arguments.json { json() } else { lines(&report.eigenvalues) })?;

@@ -8,24 +8,26 @@ use eigenform::shape::{Request, Room, SlotJob, Style};
 
 use crate::arguments::Shape;
 use crate::failure::Failure;
-use crate::input::within;
+use crate::input::{whole_within, within};
 use crate::{output, picture};
 
 /// How much of the stage a shape takes each way.
 const SHARE: f64 = 0.8;
 
 pub fn run(arguments: &Shape) -> Result<Vec<String>, Failure> {
-    let mut scene = Scene { title: title(arguments), seed: arguments.seed, ..Scene::default() };
+    let count = whole_within(arguments.agents, &(1..=limits::AGENTS), "--agents")?;
+    let seed = whole_within(arguments.seed, &(0..=u32::MAX as usize), "--seed")? as u32;
+    let mut scene = Scene { title: title(arguments), seed, ..Scene::default() };
     scene.minimum_distance = within(arguments.minimum_distance, &limits::LENGTH, "--minimum-distance")?;
     let room = match arguments.width {
         Some(width) => Room { width: within(width, &limits::STAGE_SIDE, "--width")?, depth: f64::INFINITY },
         None => Room { width: SHARE * scene.stage.width, depth: SHARE * scene.stage.depth },
     };
     let request = Request {
-        count: arguments.agents,
+        count,
         least_distance: scene.minimum_distance,
         style: if arguments.outline { Style::Outline } else { Style::Filled },
-        seed: arguments.seed,
+        seed,
     };
     let formation = SlotJob::new(picture::region(arguments, room)?, request)?.finish()?;
     let (low, high) = formation.bounds();

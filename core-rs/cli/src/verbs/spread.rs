@@ -10,11 +10,15 @@ use crate::{input, output};
 pub fn run(arguments: &Spread) -> Result<Vec<String>, Failure> {
     let Opened { mut scene, mut notes, .. } = input::read(&arguments.source)?;
     let count = scene.main_track().segments.len();
-    if let Some(segment) = arguments.segment.filter(|segment| *segment >= count) {
-        return Err(Failure::usage(format!("the scene has {count} transitions, and there is none {segment}"), "--segment"));
-    }
+    let asked = match arguments.segment {
+        None => 0..count,
+        Some(_) if count == 0 => return Err(Failure::usage("the scene has one keyframe, so there is no transition", "--segment")),
+        Some(segment) => {
+            let index = input::whole_within(segment, &(0..=count - 1), "--segment")?;
+            index..index + 1
+        }
+    };
     let mut performer = Performer::default();
-    let asked = arguments.segment.map_or(0..count, |segment| segment..segment + 1);
     // The last first: the numbers of those before stay.
     for index in asked.rev() {
         let Some(salvage) = salvage(&mut performer, &scene, index)? else { continue };

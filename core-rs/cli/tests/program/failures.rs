@@ -24,9 +24,11 @@ fn usage_is_two() {
         &["motion", "show.json", "--at", "now"],
         &["motion", "show.json", "--loud"],
         &["modes", "show.json"],
-        &["modes", "show.json", "--keyframe", "-1"],
         &["modes", "show.json", "--keyframe", "0", "--vectors"],
         &["link", "show.json", "--base", "https://example.org/#top"],
+        &["link", "show.json", "--base", "javascript:1"],
+        &["link", "show.json", "--base", "example.org"],
+        &["link", "show.json", "--base", "https://"],
         &["convert", "show.json", "show.xml"],
     ] {
         check(&desk, arguments, 2, "usage: ");
@@ -59,7 +61,10 @@ fn bad_input_is_two_and_says_where() {
         (&["convert", "crowd.txt", "out.json", "--frames", "0,2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--frames)"),
         (&["convert", "show.json", "out.json", "--frames", "0,1"], "not-a-recording: "),
         (&["modes", "show.json", "--keyframe", "2"], "out-of-range: 2 is out of range; it must be from 0 to 1 (--keyframe)"),
+        (&["modes", "show.json", "--keyframe", "-1"], "out-of-range: -1 is out of range; it must be from 0 to 1 (--keyframe)"),
         (&["assign", "show.json", "--from", "0", "--to", "7"], "out-of-range: "),
+        (&["assign", "show.json", "--from", "-2", "--to", "1"], "out-of-range: -2 is out of range; it must be from 0 to 1 (--from)"),
+        (&["spread", "show.json", "--segment", "-1"], "out-of-range: -1 is out of range; it must be from 0 to 0 (--segment)"),
         (&["groups", "show.json", "--keyframe", "2"], "out-of-range: "),
         (&["groups", "show.json", "--keyframe", "0", "--metric", "chess"], "unknown-value: "),
         (&["motion", "show.json", "--at", "NaN"], "not-finite: "),
@@ -70,12 +75,29 @@ fn bad_input_is_two_and_says_where() {
         (&["compare", "show.json", "--free-arrival=0"], "out-of-range: 0 is out of range; it must be from 0.01 to 1000"),
         (&["check", "show.json", "--join", "sideways"], "unknown-value: \"sideways\" is not known here; it must be one of \"separate\""),
         (&["check", "show.json", "--avoidance=yes"], "unknown-value: "),
+        (&["check", "show.json", "--avoidance", "maybe"], "unknown-value: \"maybe\" is not known here; it must be one of \"true\""),
+        (&["check", "--avoidance", "maybe", "show.json"], "unknown-value: \"maybe\" is not known here; it must be one of \"true\""),
         (&["open", "https://example.org/"], "not-a-link: "),
         (&["open", "show.json"], "not-a-link: "),
         (&["open", "#s=1.AAAA"], "link-"),
         (&["check", "#s=9.AAAA"], "newer-version: "),
     ] {
         check(&desk, arguments, 2, start);
+    }
+}
+
+#[test]
+fn a_number_that_is_none_is_named_with_its_option() {
+    let desk = Desk::new();
+    for (arguments, said) in [
+        (&["motion", "show.json", "--at", "1,foo"][..], "\"foo\" is no number; give one such as 2.5 (--at)"),
+        (&["motion", "show.json", "--at", "0,,1"], "\"\" is no number; give one such as 2.5 (--at)"),
+        (&["check", "show.json", "--minimum-distance", "wide"], "\"wide\" is no number; give one such as 2.5 (--minimum-distance)"),
+        (&["modes", "show.json", "--keyframe", "first"], "\"first\" is no whole number; give one such as 2 (--keyframe)"),
+        (&["shape", "GO", "--agents", "2.5"], "\"2.5\" is no whole number; give one such as 2 (--agents)"),
+        (&["convert", "show.json", "out.json", "--frames", "0,x"], "\"x\" is no whole number; give one such as 2 (--frames)"),
+    ] {
+        check(&desk, arguments, 2, &format!("usage: {said}\n"));
     }
 }
 
@@ -139,7 +161,7 @@ fn a_shape_that_is_none_says_why() {
     ] {
         check(&desk, &[&["shape", input, "--agents", "60"], rest].concat(), 2, start);
     }
-    for count in ["0", "5001"] {
+    for count in ["0", "5001", "-3"] {
         check(
             &desk,
             &["shape", triangle, "--agents", count],
@@ -148,6 +170,12 @@ fn a_shape_that_is_none_says_why() {
         );
     }
     check(&desk, &["shape", triangle, "--agents", "many"], 2, "usage: ");
+    check(
+        &desk,
+        &["shape", triangle, "--agents", "9", "--seed", "-1"],
+        2,
+        "out-of-range: -1 is out of range; it must be from 0 to 4294967295",
+    );
     check(&desk, &["shape", "absent.png", "--agents", "60"], 1, "cannot-read: ");
 }
 
@@ -159,6 +187,7 @@ fn an_assignment_that_cannot_be_says_why() {
         (&["--cost", "neighbors"][..], "unknown-value: "),
         (&["--lambda", "1.5"], "out-of-range: "),
         (&["--lock", "0-1"], "usage: "),
+        (&["--lock", "-1:0"], "usage: \"-1:0\" is no lock; "),
         (&["--lock", "0:4"], "unknown-agent: "),
         (&["--lock", "0:1", "--lock", "0:2"], "contradictory-locks: agent 0 is locked to slots 1 and 2"),
         (&["--lock", "0:1", "--lock", "3:1"], "contradictory-locks: slot 1 is locked for agents 0 and 3"),
@@ -193,6 +222,14 @@ fn files_that_cannot_be_read_or_written_are_one() {
     ] {
         check(&desk, arguments, 1, "cannot-write: ");
     }
+    check(
+        &desk,
+        &["motion", "show.json", "--out", "absent/motion.csv"],
+        1,
+        "cannot-write: there is no folder absent (absent/motion.csv)\n",
+    );
+    let through_a_file = "cannot-write: there is no folder show.json (show.json/motion.csv)\n";
+    check(&desk, &["motion", "show.json", "--out", "show.json/motion.csv"], 1, through_a_file);
 }
 
 #[test]

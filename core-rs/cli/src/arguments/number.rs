@@ -1,0 +1,11 @@
+//! Numbers as they are typed; whether they are admissible is said once the scene is known.
+
+/// One with or without a point.
+pub fn real(typed: &str) -> Result<f64, String> {
+    typed.trim().parse().map_err(|_| "is no number; give one such as 2.5".to_owned())
+}
+
+/// One without.
+pub fn whole(typed: &str) -> Result<i64, String> {
+    typed.trim().parse().map_err(|_| "is no whole number; give one such as 2".to_owned())
+}
