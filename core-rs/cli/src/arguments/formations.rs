@@ -7,14 +7,17 @@ use super::{Source, number};
 /// `modes`.
 #[derive(Args, Debug)]
 #[command(after_help = "\
-JSON: {\"eigenvalues\": [0, …], \"ties\": [[a, b, weight], …]}, eigenvalues ascending, ties sorted with a < b;
+JSON: {\"eigenvalues\": [0, …], \"ties\": [[a, b, weight], …]}, eigenvalues ascending, ties sorted with a < b, of those who
+are there: an eigenvalue for each of them, and none for who is absent at keyframe K;
 with --vectors also
-  vectors           vectors[k][i] is agent i's entry in the unit mode of eigenvalues[k]; signs are arbitrary
+  vectors           vectors[k][i] is agent i's entry in the unit mode of eigenvalues[k], 0 for who is absent; signs are arbitrary
   coefficients      coefficients[k] = [x, y], the sum over i of vectors[k][i] · position i, meters
-so that position i is the sum over k of vectors[k][i] · coefficients[k]; with --next also, of keyframe K and the one after it
+so that position i is the sum over k of vectors[k][i] · coefficients[k]; with --next also, of keyframe K and the one after it,
+of all who walk from one to the other
   likeness          likeness[k][l] = |mode k · mode l of the next|, 0 to 1
   pairs             {\"eigenvalue\": [l of k = 1, …], \"greedy\", \"maxmin\", \"hungarian\"}: the mode of the next that each order
-                    pairs with mode k; the constant mode 0 is left out of both, and whoever is absent at both keyframes
+                    pairs with mode k; the constant mode 0 is left out of both. Who is absent at one of both keyframes
+                    walks and counts, as in the motion; at both, not
   between           {\"t\": [0, …, 1], \"eigenvalues\": [[0, …], …]} of the graph that runs straight from one to the other
 
 Examples:

@@ -26,7 +26,7 @@ struct Report {
 
 #[derive(Serialize)]
 struct Vectors {
-    /// One unit mode an eigenvalue, one entry an agent.
+    /// One unit mode an eigenvalue, one entry an agent of the scene.
     vectors: Vec<Vec<f64>>,
     /// One (x, y) a mode, meters; (x, y, z) of a formation with heights.
     coefficients: Vec<Vec<f64>>,
@@ -57,11 +57,11 @@ pub fn run(arguments: &Modes) -> Result<Vec<String>, Failure> {
     let formation = &*scene.main_track().keyframes[keyframe].positions;
     let mut performer = Performer::default();
     let adjacency = performer.graph(&scene, keyframe)?;
-    let basis = performer.eigenbasis(&scene, keyframe)?;
+    let (basis, there) = performer.eigenbasis_there(&scene, keyframe)?;
     let report = Report {
         eigenvalues: basis.eigenvalues().to_vec(),
         ties: adjacency.ties().iter().map(|tie| (tie.a, tie.b, tie.weight)).collect(),
-        vectors: arguments.vectors.then(|| vectors(&basis, formation)),
+        vectors: arguments.vectors.then(|| vectors(&basis, formation, &there)),
         change: if arguments.next { Some(change(&scene, keyframe, &mut performer)?) } else { None },
     };
     let json = || serde_json::to_string(&report).expect("numbers are JSON");
@@ -69,18 +69,23 @@ pub fn run(arguments: &Modes) -> Result<Vec<String>, Failure> {
     Ok(notes)
 }
 
-/// The basis leaves the constant mode out; it carries the barycenter.
-fn vectors(basis: &Eigenbasis, formation: &Formation) -> Vectors {
-    let agent_count = basis.agent_count();
-    if agent_count == 0 {
+/// The basis leaves the constant mode out; it carries the barycenter. Who is not there has no part in any mode.
+fn vectors(basis: &Eigenbasis, formation: &Formation, there: &[u32]) -> Vectors {
+    if there.is_empty() {
         return Vectors { vectors: Vec::new(), coefficients: Vec::new() };
     }
-    let size = (agent_count as f64).sqrt();
-    let constant = vec![1.0 / size; agent_count];
-    let modes = basis.modes().col_iter().map(|mode| mode.iter().copied().collect());
-    let center = formation.places().barycenter() * size;
+    let of_all = |entries: &mut dyn Iterator<Item = f64>| {
+        let mut vector = vec![0.0; formation.agent_count()];
+        there.iter().zip(entries).for_each(|(agent, entry)| vector[*agent as usize] = entry);
+        vector
+    };
+    let size = (there.len() as f64).sqrt();
+    let constant = of_all(&mut std::iter::repeat(1.0 / size));
+    let modes = basis.modes().col_iter().map(|mode| of_all(&mut mode.iter().copied()));
+    let standing = formation.only(there);
+    let center = standing.places().barycenter() * size;
     let dimensions = if formation.heights().is_some() { 3 } else { 2 };
-    let coefficients = std::iter::once(center).chain(basis.coefficients(formation)).map(|c| c.to_array()[..dimensions].to_vec());
+    let coefficients = std::iter::once(center).chain(basis.coefficients(&standing)).map(|c| c.to_array()[..dimensions].to_vec());
     Vectors { vectors: std::iter::once(constant).chain(modes).collect(), coefficients: coefficients.collect() }
 }
 

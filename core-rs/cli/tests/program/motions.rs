@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::desk::Desk;
+use crate::desk::{Desk, SHOW};
 use crate::{number, parsed};
 
 #[test]
@@ -166,6 +166,19 @@ fn modes_of_a_square_are_those_of_the_cycle_of_four() {
     }
     let without = parsed(&desk.answer(&["modes", "show.json", "--keyframe", "0", "--json"]));
     assert_eq!(without.as_object().expect("an object").len(), 2);
+}
+
+#[test]
+fn modes_are_of_those_who_are_there() {
+    let desk = Desk::new();
+    let with_a_fifth = SHOW.replace("[0, 2]]", "[0, 2], [9, 9]], \"absent\": [4]").replace("[0, 0]] }", "[0, 0], [9, 9]] }");
+    desk.put("five.json", &with_a_fifth);
+    let asked = |name: &str| parsed(&desk.answer(&["modes", name, "--keyframe", "0", "--json", "--vectors"]));
+    let (four, mut five) = (asked("show.json"), asked("five.json"));
+    for vector in five["vectors"].as_array_mut().expect("a list") {
+        assert_eq!(vector.as_array_mut().expect("a list").pop(), Some(json!(0.0)), "no part in any mode");
+    }
+    assert_eq!(five, four);
 }
 
 #[test]
