@@ -6,9 +6,9 @@ import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { keyName, keyShortcuts, useAction } from "../use-action";
 import { Clock } from "./clock-face";
-import { Legend } from "./legend";
 import { PlayWays } from "./play-ways";
 
+const Legend = lazily(() => import("./legend").then((part) => part.Legend));
 const TransportItems = lazily(() => import("./transport-items").then((part) => part.TransportItems));
 
 /** Play, where the show is, how it repeats; at the right what one does to keyframes. */
