@@ -7,6 +7,7 @@ mod avoidance;
 mod crowd;
 mod deviation;
 mod grain;
+mod moved;
 
 pub use avoidance::{
     Avoidance, AvoidanceJob, AvoidanceReport, AvoidanceStep, Blocked, Breach, Edited, Hold, Other, ShutOff, SpreadJob, SpreadStep,

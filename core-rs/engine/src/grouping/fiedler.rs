@@ -1,7 +1,7 @@
 //! The second eigenvector of a connected graph: its weakest mode of coming apart.
 
 use super::graph::Graph;
-use super::low_modes::{LowMode, low_modes};
+use super::low_modes::{LowMode, dot, low_modes};
 use crate::formation::Formation;
 
 /// Eigenvalues this near to the second, relative to it, share its place: the line of the agents on the stage decides among their modes.
@@ -30,8 +30,4 @@ pub(super) fn fiedler(graph: &Graph, formation: &Formation) -> Vec<f64> {
         }
     }
     modes[0].values.clone()
-}
-
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

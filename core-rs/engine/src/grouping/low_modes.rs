@@ -8,7 +8,6 @@ use eigenform_dense::symmetric_eigen;
 use faer::Mat;
 use glam::DVec2;
 
-use super::fiedler::dot;
 use super::graph::Graph;
 use crate::formation::Formation;
 use crate::spectral::Eigenbasis;
@@ -168,6 +167,10 @@ fn center(vector: &mut [f64]) {
     for entry in vector {
         *entry -= mean;
     }
+}
+
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]

@@ -2,7 +2,6 @@
 
 mod suggest;
 
-use glam::DVec2;
 use serde::Serialize;
 
 pub use suggest::Suggestion;
@@ -11,10 +10,9 @@ use super::brief::Brief;
 use super::innermost::innermost_groups;
 use super::tied;
 use crate::choice::Choice;
-use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, Outline, ShutOff, judge};
+use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, ShutOff, judge};
 use crate::measure::{Clearance, Extreme};
 use crate::motion::{Approach, Motion, closeness};
-use crate::obstacle::ObstacleShape;
 use crate::transition::Chain;
 
 /// What avoidance came to in a segment. Flat in the segment's report.
@@ -152,11 +150,4 @@ pub(super) fn clearance(approach: Approach) -> Clearance {
 pub(super) fn approach(clearance: &Clearance) -> Approach {
     let Clearance { distance, time, agents } = *clearance;
     Approach { distance, time, agents }
-}
-
-pub(super) fn outline(shape: &ObstacleShape) -> Outline {
-    match shape {
-        ObstacleShape::Circle { center, radius } => Outline { points: vec![center.to_array()], radius: *radius },
-        ObstacleShape::Polygon { points } => Outline { points: points.iter().map(DVec2::to_array).collect(), radius: 0.0 },
-    }
 }

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::avoid::outline;
 use super::cast::Cast;
 use super::counterpart::Aside;
 use super::levels::node_way;
+use super::outline::outline;
 use super::travel::{Turnings, charted, travel};
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Choice, Join, MethodName, Timing};

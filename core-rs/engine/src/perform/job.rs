@@ -8,10 +8,11 @@ use super::Performer;
 use super::avoid::{Avoiding, Kept, judged};
 use super::brief::Brief;
 use super::clock::{Clock, path_parameters};
-use super::crowd::{Crowded, Crowding};
+use super::crowd::Crowding;
 use super::free::freed;
 use super::hurry::hurried;
 use super::performed::{Candidate, Performed};
+use super::plan::Plan;
 use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
 use super::tied;
@@ -23,7 +24,7 @@ use crate::error::Error;
 use crate::measure;
 use crate::motion::{Motion, sample_times};
 use crate::scene::Scene;
-use crate::transition::{Chain, End, Hierarchy, Transition, Travel, Way, Ways};
+use crate::transition::{Chain, End, Transition, Travel, Way, Ways};
 
 /// How much of a segment's progress is its planning.
 const PLANNING_SHARE: f64 = 0.7;
@@ -102,40 +103,6 @@ struct Choosing {
     known: Vec<Option<Choice>>,
     /// Of the segment itself.
     candidates: Arc<Vec<Candidate>>,
-}
-
-pub(super) struct Plan {
-    pub(super) chain: Chain,
-    /// Where the segment goes along paths.
-    travel: Option<Arc<Travel>>,
-    pub(super) ways: Ways,
-    /// Where the segment goes by groups.
-    hierarchy: Option<Hierarchy>,
-    /// Where the samples will be, as far as the clock is known.
-    ts: Arc<[f64]>,
-    candidates: Arc<Vec<Candidate>>,
-    /// What forces came to, once they have led.
-    crowded: Option<Box<Crowded>>,
-}
-
-impl Plan {
-    /// The chain as methods see it.
-    fn chart(&self) -> &Chain {
-        self.travel.as_ref().map_or(&self.chain, |travel| travel.chart())
-    }
-
-    /// The same segment as a whole by another way, whatever is beside it.
-    pub(super) fn by(&self, choice: Choice, keeps_size: bool) -> Self {
-        Self {
-            chain: self.chain.clone(),
-            travel: self.travel.clone(),
-            ways: Ways::all(Way::of(choice, keeps_size)),
-            hierarchy: None,
-            ts: self.ts.clone(),
-            candidates: self.candidates.clone(),
-            crowded: None,
-        }
-    }
 }
 
 impl SegmentJob {

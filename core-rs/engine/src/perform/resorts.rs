@@ -7,7 +7,7 @@ use super::auto;
 use super::avoid::Kept;
 use super::brief::Brief;
 use super::clock::Clock;
-use super::job::Plan;
+use super::plan::Plan;
 use super::sampling::Sampling;
 use crate::choice::{Alignment, Choice, MethodName, Order};
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::avoid::outline;
+use super::outline::outline;
 use crate::edits::{Blocked, Hold, nearest_to};
 use crate::motion::Motion;
 use crate::scene::Obstacle;

@@ -12,6 +12,7 @@ mod split;
 mod unescape;
 mod value;
 mod write;
+mod written;
 
 pub use read::{read_assignment, read_choices, read_json, read_rest};
 pub use write::write_json;

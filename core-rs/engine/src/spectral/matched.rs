@@ -3,7 +3,8 @@
 use faer::{Mat, MatRef};
 use glam::DVec3;
 
-use super::matching::{EQUAL_LIKENESS, Pairing};
+use super::matching::Pairing;
+use super::maxmin::EQUAL_LIKENESS;
 use super::pair::Pair;
 use super::planes::Planes;
 use super::signs::NO_SIGN;

@@ -2,13 +2,10 @@
 
 use faer::{Mat, MatRef};
 
-use super::maxmin::exchange;
+use super::maxmin::{EQUAL_LIKENESS, exchange};
 use super::pair::Pair;
 use crate::assignment::maximize;
 use crate::choice::Order;
-
-/// Inner products nearer than this count as equal; the lower index is taken then, so that round-off decides nothing.
-pub(super) const EQUAL_LIKENESS: f64 = 1e-12;
 
 /// A bijection from source modes to target modes.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,7 +2,8 @@
 
 use faer::MatRef;
 
-use super::matching::EQUAL_LIKENESS;
+/// Inner products nearer than this count as equal; the lower index is taken then, so that round-off decides nothing.
+pub(super) const EQUAL_LIKENESS: f64 = 1e-12;
 
 /// Exchanges the targets of the two sources whose worse |inner product| gains most, until none gains or n² are done.
 ///

@@ -4,6 +4,7 @@
 //! It knows nothing of scenes or frames. A segment on its own is two formations; where agents pass a keyframe without stopping, the
 //! chain holds its neighbors too, and the segments meet there with one velocity.
 
+mod bent;
 mod blend;
 mod carried;
 mod chain;
@@ -25,6 +26,7 @@ mod shared;
 mod smooth;
 mod space;
 mod spectral;
+mod straight;
 mod strand;
 mod travel;
 mod turns;

@@ -1,11 +1,11 @@
 //! Plans transitions step by step, and remembers the pieces that others have in common with them.
 
+use super::bent::bent;
 use super::chain::{Chain, Couple, Way, Ways};
 use super::linear::Linear;
 use super::piece::{Piece, Recipe};
 use super::polar::Polar;
 use super::shared::Shared;
-use super::smooth::bent;
 use super::spectral::Spectral;
 use super::{Blend, Transition};
 use crate::choice::{Choice, Join, MethodName};

@@ -7,7 +7,7 @@ use super::carried::Power;
 use super::chain::Chain;
 use super::planner::Planner;
 use super::route::Route;
-use super::smooth::goes_straight;
+use super::straight::goes_straight;
 use crate::choice::{Choice, MethodName};
 
 impl Planner {

@@ -9,7 +9,7 @@ use super::carried::{Carried, Power};
 use super::chain::Chain;
 use super::cubic::Cubic;
 use super::modal::{Drift, Modes};
-use super::smooth::straight_velocities;
+use super::straight::straight_velocities;
 use super::strand::Strand;
 use crate::spectral::{Eigenbasis, Passage, Planes, product};
 

@@ -7,9 +7,9 @@
 use glam::DVec3;
 
 use super::Transition;
+use super::bent::{bent, places_at};
 use super::chain::{Chain, Way, Ways};
 use super::planner::Planner;
-use super::smooth::{bent, places_at};
 
 /// The step of the difference that tells a velocity, of the whole way.
 ///

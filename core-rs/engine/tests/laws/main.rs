@@ -4,6 +4,7 @@ mod absence;
 mod adjacency;
 mod assignment;
 mod avoidance;
+mod circles;
 mod formations;
 mod grouping;
 mod hierarchy;

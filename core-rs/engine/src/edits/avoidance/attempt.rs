@@ -2,13 +2,15 @@
 
 use eigenform_apart::Paths;
 
-use super::breaches::{Breach, Other};
+use super::breaches::Breach;
 use super::obstacles::Blocked;
+use super::open::{open_blocks, open_count};
 use super::problem::Problem;
-use super::sampling::{lengths, moved};
+use super::sampling::lengths;
 use super::shut::ShutOff;
-use super::{AvoidanceReport, Edited, SLACK, is_among};
+use super::{AvoidanceReport, Edited, SLACK};
 use crate::edits::deviation::Deviation;
+use crate::edits::moved::moved;
 use crate::motion::{Approach, Motion, clashes};
 
 /// What came of one rung.
@@ -52,24 +54,4 @@ impl Attempt {
     pub(super) fn deviation_lengths(&self) -> [f64; 2] {
         lengths(&self.deviation)
     }
-}
-
-/// Agents that an obstacle blocks, that no keyframe has too near to it, and that have a way.
-pub(super) fn open_blocks<'a>(blocked: &'a [Blocked], breaches: &[Breach], shut_off: &[ShutOff]) -> impl Iterator<Item = &'a Blocked> {
-    let is_breach = |at: &Blocked| breaches.iter().any(|breach| breach.agent == at.agent && breach.other == Other::Obstacle(at.obstacle));
-    blocked.iter().filter(move |at| !is_breach(at) && !is_among(shut_off, at.agent as usize))
-}
-
-/// Clashes of pairs that no keyframe has too near, in the sixth next to it.
-pub(super) fn open_count(clashes: &[Approach], breaches: &[Breach], motion: &Motion) -> usize {
-    let times = motion.times();
-    let (start, end) = (times[0], times[times.len() - 1]);
-    let is_excused = |clash: &Approach| {
-        let fraction = (clash.time - start) / (end - start);
-        breaches.iter().any(|breach| {
-            let is_pair = breach.other == Other::Agent(clash.agents.1) && breach.agent == clash.agents.0;
-            is_pair && if breach.end == 0 { fraction <= 1.0 / 6.0 } else { fraction >= 5.0 / 6.0 }
-        })
-    };
-    clashes.iter().filter(|clash| !is_excused(clash)).count()
 }

@@ -11,6 +11,7 @@ mod hull;
 mod job;
 mod meetings;
 mod obstacles;
+mod open;
 mod problem;
 mod reroute;
 mod rungs;
@@ -95,7 +96,7 @@ impl AvoidanceReport {
 
     /// Who is blocked on the way: whom neither a keyframe nor what shuts them off has to blame.
     pub fn blocked_on_the_way(&self) -> impl Iterator<Item = &Blocked> {
-        attempt::open_blocks(&self.blocked, &self.breaches, &self.shut_off)
+        open::open_blocks(&self.blocked, &self.breaches, &self.shut_off)
     }
 }
 

@@ -1,9 +1,9 @@
 //! A guide, what to keep apart on it, and what is in the way.
 
-use super::attempt::{open_blocks, open_count};
 use super::breaches::Breach;
 use super::meetings::Lister;
 use super::obstacles::Blocked;
+use super::open::{open_blocks, open_count};
 use super::rungs::Ways;
 use super::shut::{ShutOff, shut_off};
 use super::{Avoidance, AvoidanceReport, BREACH_LIMIT, judge};

@@ -2,7 +2,7 @@
 
 use eigenform_apart::Paths;
 
-use super::job::moved;
+use crate::edits::moved::moved;
 use crate::motion::{Motion, closeness};
 
 /// The last stretch, seconds, and at most this share of the whole.

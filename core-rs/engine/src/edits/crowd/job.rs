@@ -11,6 +11,7 @@ use super::{Aim, CrowdRules, Ending, Led};
 use crate::COMPARES;
 use crate::edits::avoidance::WayAround;
 use crate::edits::deviation::Deviation;
+use crate::edits::moved::moved;
 use crate::motion::Motion;
 
 /// Moments a second, at least.
@@ -284,17 +285,4 @@ fn offsets_up_to(offsets: &Paths, last: usize) -> Paths {
         }
     }
     kept
-}
-
-/// The guide with offsets added, in plan.
-pub(super) fn moved(guide: &Motion, offsets: &Paths) -> Motion {
-    let agent_count = guide.agent_count();
-    let mut positions = guide.positions().to_vec();
-    for agent in 0..agent_count {
-        for k in 0..guide.times().len() {
-            let [x, y, _] = offsets.place(agent, k);
-            positions[k * agent_count + agent] += DVec2::new(x, y);
-        }
-    }
-    Motion::sampled(guide.times().to_vec(), agent_count, positions, guide.heights().map(<[f64]>::to_vec))
 }

@@ -2,7 +2,7 @@
 
 use super::layout::Layout;
 use super::value::Value;
-use super::write::{number, required_word};
+use super::written::{number, required_word};
 use crate::error::Error;
 use crate::scene::CrowdSpec;
 

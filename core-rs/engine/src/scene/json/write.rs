@@ -1,16 +1,14 @@
 //! Scene → scene file: what is required and what differs from its default.
 
-use serde::Serialize;
-
 use super::crowd::write_crowd;
 use super::layout::Layout;
+use super::written::{flag, number, numbers, required_word, string, word};
 use crate::adjacency::AdjacencySpec;
 use crate::assignment::AssignmentSpec;
 use crate::choice::Choice;
 use crate::formation::Formation;
 use crate::obstacle::ObstacleShape;
 use crate::scene::{Agent, Group, Keyframe, NodeSpec, Obstacle, Scene, Segment, Stage, Tempo, Track, TransitionSpec};
-use crate::text::json;
 
 /// The scene file; [`super::read_json`] gives an equal scene.
 ///
@@ -247,36 +245,4 @@ fn choice(out: &mut Layout, choice: &Choice) {
         word(out, "alignment", &choice.alignment);
         number(out, "sharing", choice.sharing, TransitionSpec::default().sharing);
     });
-}
-
-fn numbers(out: &mut Layout, numbers: &[f64]) {
-    out.list_line(numbers, |out, number| out.number(*number));
-}
-
-pub(super) fn number(out: &mut Layout, name: &str, value: f64, default: f64) {
-    if value.to_bits() != default.to_bits() {
-        out.key(name).number(value);
-    }
-}
-
-fn string(out: &mut Layout, name: &str, text: &str) {
-    if !text.is_empty() {
-        out.key(name).string(text);
-    }
-}
-
-fn flag(out: &mut Layout, name: &str, is_so: bool) {
-    if is_so {
-        out.key(name).raw("true");
-    }
-}
-
-fn word<T: Serialize + Default + PartialEq>(out: &mut Layout, name: &str, word: &T) {
-    if *word != T::default() {
-        required_word(out, name, word);
-    }
-}
-
-pub(super) fn required_word<T: Serialize>(out: &mut Layout, name: &str, word: &T) {
-    out.key(name).raw(&json(word));
 }

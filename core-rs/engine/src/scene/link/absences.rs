@@ -2,7 +2,7 @@
 //!
 //! It stands behind the closing flag of `paths` and ends with a flag of its own. Here, too, the order is the format.
 
-use super::document::{Fields, newer};
+use super::fields::{Fields, newer};
 use super::graph::code_count;
 use super::models::Integer;
 use super::range::Bit;

@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use super::absences::has_absences;
 use super::crowds::has_crowds;
-use super::document::{Document, Fields, METHODS};
+use super::document::Document;
+use super::fields::{Fields, METHODS};
 use super::graph::{Pairs, code_count};
 use super::models::{Integer, Number};
 use super::positions::Formations;

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use super::document::{Fields, METHODS, as_integer};
+use super::fields::{Fields, METHODS, as_integer};
 use super::models::Number;
 use super::range::Bit;
 use super::recipes::has_recipes;

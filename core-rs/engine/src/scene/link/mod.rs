@@ -5,8 +5,10 @@
 
 mod absences;
 mod additions;
+mod basics;
 mod crowds;
 mod document;
+mod fields;
 mod graph;
 mod models;
 mod names;
@@ -21,7 +23,8 @@ mod text;
 
 use std::sync::Arc;
 
-use document::{Document, code_document};
+use basics::code_document;
+use document::Document;
 use range::{Reader, Writer};
 pub use round::{Precision, onto_grid};
 use route::Cell;

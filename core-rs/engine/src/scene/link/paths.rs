@@ -3,7 +3,7 @@
 //! It stands behind the closing flag of `recipes` and ends with a flag of its own. Here, too, the order is the format.
 
 use super::absences::has_absences;
-use super::document::Fields;
+use super::fields::Fields;
 use super::graph::code_count;
 use super::models::{Integer, Number};
 use super::range::Bit;

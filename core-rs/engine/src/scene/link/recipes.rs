@@ -2,7 +2,7 @@
 //!
 //! It stands behind the closing flag of `crowds` and ends with a flag of its own. Here, too, the order is the format.
 
-use super::document::Fields;
+use super::fields::Fields;
 use super::graph::Pairs;
 use super::paths::has_paths;
 use super::range::Bit;
