@@ -15,7 +15,6 @@ import { useSheet } from "./use-sheet";
 
 const Asides = lazily(() => import("./asides").then((part) => part.Asides));
 const Hint = lazily(() => import("./stage-edge/hint").then((part) => part.Hint));
-const SheetButton = lazily(() => import("./sheet").then((part) => part.SheetButton));
 const ViewPills = lazily(() => import("./stage-edge/view-pills").then((part) => part.ViewPills));
 const PerspectiveView = lazily(
   () => import("./perspective/perspective-view").then((part) => part.PerspectiveView),
@@ -53,8 +52,7 @@ export function Layout({ parts }: { parts: Parts }) {
           {view.projection.value === "perspective" && <PerspectiveView />}
           <Rail />
           <ToolOptions />
-          <ViewPills />
-          <SheetButton isOpen={isSheetOpen} />
+          <ViewPills isSheetOpen={isSheetOpen} />
           <ContextBar />
           <Toasts />
         </section>

@@ -1,6 +1,7 @@
 import "./inspector.css";
 import { type Signal, useSignal, useSignalEffect } from "@preact/signals";
 import type { ComponentChildren } from "preact";
+import { useRef } from "preact/hooks";
 import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
 import { lazily } from "../lazily";
@@ -12,13 +13,15 @@ type Tab = "inspector" | "agents";
 
 const ScenePanel = lazily(() => import("./scene-panel").then((part) => part.ScenePanel));
 const SelectedPanel = lazily(() => import("./selected-panel").then((part) => part.SelectedPanel));
-const SheetGrip = lazily(() => import("../sheet").then((part) => part.SheetGrip));
+const SheetGrip = lazily(() => import("../sheet-grip").then((part) => part.SheetGrip));
 const AgentsTable = lazily(() => import("../agents-table/agents-table").then((part) => part.AgentsTable));
 
 /** What is selected and what can be changed about it; beside it, everybody in a table. */
 export function Inspector({ isSheetOpen }: { isSheetOpen: Signal<boolean> }) {
-  const { document } = useStudio();
+  const { document, aside } = useStudio();
   const tab = useSignal<Tab>("inspector");
+  const hasBeenSheet = useRef(false);
+  hasBeenSheet.current ||= isSheetOpen.value || aside.value !== null;
   // A tie or a transition is looked at here alone; agents and groups may have been picked in the table.
   useSignalEffect(() => {
     const { kind } = document.selection.value;
@@ -33,7 +36,7 @@ export function Inspector({ isSheetOpen }: { isSheetOpen: Signal<boolean> }) {
         if (event.key === "Escape" && !event.defaultPrevented) isSheetOpen.value = false;
       }}
     >
-      <SheetGrip isOpen={isSheetOpen} />
+      {hasBeenSheet.current && <SheetGrip isOpen={isSheetOpen} />}
       <div class="tabs" role="tablist" onKeyDown={(event) => moveFocus(event, "button")}>
         <TabButton tab="inspector" shown={tab}>
           Inspector

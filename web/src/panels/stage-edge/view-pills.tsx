@@ -1,11 +1,13 @@
+import type { Signal } from "@preact/signals";
 import { useStudio } from "../studio";
 import { keyName, keyShortcuts } from "../use-action";
 import { InfoLine } from "./info-line";
 import { LayerToggles } from "./layer-toggles";
+import { SheetButton } from "./sheet-button";
 import { ZoomPill } from "./zoom-pill";
 
-/** From where and how close the stage is seen, what shows on it and what its marks mean. */
-export function ViewPills() {
+/** From where and how close the stage is seen, what shows on it and what its marks mean, and the way to the inspector. */
+export function ViewPills({ isSheetOpen }: { isSheetOpen: Signal<boolean> }) {
   return (
     <>
       <div class="floating view-pills">
@@ -15,6 +17,7 @@ export function ViewPills() {
       </div>
       <InfoLine />
       <ZoomPill />
+      <SheetButton isOpen={isSheetOpen} />
     </>
   );
 }

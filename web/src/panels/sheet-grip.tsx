@@ -1,32 +1,11 @@
 import { type Signal, useSignalEffect } from "@preact/signals";
-import { SlidersHorizontal, X } from "lucide";
+import { X } from "lucide";
 import { useRef } from "preact/hooks";
 import { Icon } from "../theme/icons";
 import { useStudio } from "./studio";
 
 /** A pull of the grip this far closes the sheet, CSS pixels. */
 const FAR_ENOUGH = 60;
-
-/** Opens the sheet for what is selected; absent where the inspector has its own place. */
-export function SheetButton({ isOpen }: { isOpen: Signal<boolean> }) {
-  return (
-    <div class="floating sheet-button">
-      <button
-        type="button"
-        class="icon-button"
-        aria-label="Show inspector"
-        aria-expanded={isOpen.value}
-        data-tip="Show inspector"
-        data-tip-side="end"
-        onClick={() => {
-          isOpen.value = !isOpen.value;
-        }}
-      >
-        <Icon node={SlidersHorizontal} />
-      </button>
-    </div>
-  );
-}
 
 /** The sheet's upper edge: pressed or pulled down, it closes. What it covers of the stage the view is told. */
 export function SheetGrip({ isOpen }: { isOpen: Signal<boolean> }) {
