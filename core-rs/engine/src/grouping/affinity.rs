@@ -179,11 +179,16 @@ impl Similarity {
         table
     }
 
-    /// Which of the leaders an agent resembles most: itself if it is one, else the first of equals.
+    /// Which of the leaders an agent resembles most: itself if it is one; of equals the one it stands nearest to, else the first.
     fn nearest(&self, agent: u32, leaders: &[u32]) -> Option<usize> {
         let likeness = |leader: u32| if leader == agent { f64::INFINITY } else { self.of(agent, leader) };
-        let ranked = leaders.iter().map(|leader| likeness(*leader)).enumerate();
+        let ranked = leaders.iter().map(|leader| (likeness(*leader), -self.apart(agent, *leader))).enumerate();
         ranked.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(index, _)| index)
+    }
+
+    /// How far apart two agents are at both ends together, meters.
+    fn apart(&self, a: u32, b: u32) -> f64 {
+        self.ends.iter().map(|end| end.places().at(a as usize).distance(end.places().at(b as usize))).sum()
     }
 
     /// Whom all of a group resemble most; of equals the first.

@@ -144,6 +144,15 @@ fn those_who_keep_their_distances_are_a_group() {
     assert_eq!(alike(&source, &shifted, Metric::Manhattan, MEDIAN), expected);
 }
 
+/// Whoever is as far ahead in a block as the other's middle keeps the distance to it, too.
+#[test]
+fn blocks_that_change_places_are_the_groups() {
+    let block = grid(5, 5);
+    let beside: Vec<DVec2> = block.iter().map(|place| *place + DVec2::new(20.0, 0.0)).collect();
+    let (source, target) = ([&block[..], &beside].concat(), [&beside[..], &block].concat());
+    assert_eq!(alike(&source, &target, Metric::Euclidean, MEDIAN), [(0..25).collect::<Vec<u32>>(), (25..50).collect()]);
+}
+
 #[test]
 fn who_moves_as_one_is_one_group_and_whoever_prefers_it_stands_alone() {
     let points = grid(5, 3);
