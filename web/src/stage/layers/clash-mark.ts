@@ -9,6 +9,15 @@ const PILL_HEIGHT = 22;
 /** Pills laid down in this frame: left, top, right, bottom of each, CSS pixels. */
 const taken = new Float32Array(4 * PILLS);
 
+/**
+ * How far the ring about a pair reaches, all in one unit: as far as the minimum distance, but about no more than the two.
+ *
+ * The minimum alone may be larger than the stage. `least` is what their discs take.
+ */
+export function clashReach(minimum: number, distance: number, least: number): number {
+  return Math.max(least, Math.min(minimum, distance + least));
+}
+
 /** The ring about a pair that is too close, CSS pixels; an ellipse where it is seen from the side. */
 export function drawClashRing(
   context: CanvasRenderingContext2D,

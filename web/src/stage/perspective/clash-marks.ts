@@ -2,7 +2,7 @@ import type { Units } from "../../document/scene";
 import { lengthWithUnit } from "../../document/units";
 import type { Size } from "../camera";
 import type { ClashFinder } from "../clashes";
-import { drawClashDistance, drawClashRing, PILLS } from "../layers/clash-mark";
+import { clashReach, drawClashDistance, drawClashRing, PILLS } from "../layers/clash-mark";
 import type { NamesLook } from "./names";
 
 /** No ring is smaller, CSS pixels: from far away a clash is still seen. */
@@ -68,11 +68,11 @@ function isInRing(x: number, y: number, flatness: number, count: number): boolea
 /** Fills `at` with the middle of the `k`-th clash; answers how far its ring reaches, 0 behind the eye. */
 function ringAt({ bodies, sight }: NamesLook, clashes: ClashFinder, k: number, minimum: number): number {
   const { place, radius, shares } = bodies;
-  const { a = 0, b = 0 } = clashes.found[k] ?? {};
+  const { a = 0, b = 0, distance = 0 } = clashes.found[k] ?? {};
   const middle = (axis: number) => ((place[3 * a + axis] ?? 0) + (place[3 * b + axis] ?? 0)) / 2;
   sight.projectInto(middle(0), middle(1), middle(2), at, 0);
   const depth = at[2] ?? 0;
   if (depth === 0) return 0;
   const feet = radius * Math.max(shares[a] ?? 1, shares[b] ?? 1);
-  return Math.max(LEAST_REACH, (Math.max(minimum, ROOM * feet) * sight.focal) / depth);
+  return Math.max(LEAST_REACH, (clashReach(minimum, distance, ROOM * feet) * sight.focal) / depth);
 }
