@@ -24,8 +24,9 @@ function besideAWall(gap: number) {
   });
 }
 
-/** The left end of the first line and the right foot of the gable that `makeShow` draws. */
+/** The ends of the first line and the right foot of the gable that `makeShow` draws. */
 const LEFT = [0.25, 0.35] as const;
+const RIGHT = [0.75, 0.35] as const;
 const FAR_FOOT = [0.65, 0.7] as const;
 
 test("who goes where is tried, locked by a drag, accepted as one step and kept as a recipe", async ({ studio }) => {
@@ -40,7 +41,10 @@ test("who goes where is tried, locked by a drag, accepted as one step and kept a
   await lambda.press("Enter");
   await expect(inspector.getByText(/^\d+\.\d m in all, the longest walk \d/)).toBeVisible();
 
+  await studio.drag([RIGHT, FAR_FOOT]);
+  await expect(inspector.getByRole("list", { name: "Locks" }).getByRole("listitem")).toHaveCount(1);
   await studio.drag([LEFT, FAR_FOOT]);
+  await expect(inspector.getByText(/^\d+'s lock gave way: 1 has that place now\.$/)).toBeVisible();
   await expect(inspector.getByRole("list", { name: "Locks" }).getByRole("listitem")).toHaveText(/^1 → place of/);
   const before = (await studio.sceneFile()).keyframes[1]?.positions ?? [];
   await expect(inspector.getByRole("button", { name: "Accept" })).toBeEnabled();

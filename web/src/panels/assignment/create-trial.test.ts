@@ -46,6 +46,21 @@ test("an agent has one lock and so has a place; without any nothing is predicted
   expect(trial.question.value.isPredicted).toBe(false);
 });
 
+test("a lock that gives way to another is told of, until the next is set or let go", () => {
+  const { trial } = bench();
+  trial.lock(0, 4);
+  expect(trial.gaveWay.value).toBeNull();
+  trial.lock(1, 4);
+  expect(trial.question.value.recipe.locks).toEqual([[1, 4]]);
+  expect(trial.gaveWay.value).toEqual({ agent: 0, to: 1 });
+  // Who is locked elsewhere took that place from nobody.
+  trial.lock(1, 5);
+  expect(trial.gaveWay.value).toBeNull();
+  trial.lock(2, 5);
+  trial.unlock(2);
+  expect(trial.gaveWay.value).toBeNull();
+});
+
 test("who is shut off is called as the page calls them", async () => {
   const scene = emptyScene();
   const trial = createTrial(0, RECIPE, {

@@ -12,6 +12,8 @@ export interface AssignmentTrial {
   readonly progress: ReadonlySignal<number | null>;
   /** Why there is no answer, in a sentence. */
   readonly problem: ReadonlySignal<string | null>;
+  /** Whose lock the last one took the place of, and who has that place now; null when it took nobody's. */
+  readonly gaveWay: ReadonlySignal<{ readonly agent: number; readonly to: number } | null>;
   setRecipe(change: Partial<Omit<AssignmentSpec, "locks">>): void;
   setWay(change: Partial<Pick<AssignmentQuestion, "isFlipped" | "isPredicted" | "rest">>): void;
   /** This agent takes this place, whatever it costs; who had one of them locked has not any more. */
@@ -35,6 +37,7 @@ export function createTrial(segment: number, recipe: AssignmentSpec, parts: Tria
   const found = signal<FoundPlaces | null>(null);
   const progress = signal<number | null>(null);
   const problem = signal<string | null>(null);
+  const gaveWay = signal<{ readonly agent: number; readonly to: number } | null>(null);
   let latest = 0;
 
   async function ask(): Promise<void> {
@@ -70,11 +73,18 @@ export function createTrial(segment: number, recipe: AssignmentSpec, parts: Tria
     found,
     progress,
     problem,
+    gaveWay,
     setRecipe: (part) => change({ recipe: { ...question.peek().recipe, ...part } }),
     setWay: change,
-    lock: (agent, slot) =>
-      setLocks([...locks().filter((lock) => lock[0] !== agent && lock[1] !== slot), [agent, slot]]),
-    unlock: (agent) => setLocks(locks().filter((lock) => lock[0] !== agent)),
+    lock(agent, slot) {
+      const former = locks().find((lock) => lock[0] !== agent && lock[1] === slot);
+      gaveWay.value = former ? { agent: former[0], to: agent } : null;
+      setLocks([...locks().filter((lock) => lock[0] !== agent && lock[1] !== slot), [agent, slot]]);
+    },
+    unlock(agent) {
+      gaveWay.value = null;
+      setLocks(locks().filter((lock) => lock[0] !== agent));
+    },
     ask: () => void ask(),
     stop() {
       latest += 1;

@@ -20,6 +20,7 @@ export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTria
   const number = wholeQuantity(1, Math.max(1, mainTrack(scene).agents.length));
   const [agent, slot] = pair.value;
   const latest = fewOf(locks.toReversed(), MOST_SHOWN).toReversed();
+  const gaveWay = trial.gaveWay.value;
   const hiddenCount = locks.length - latest.length;
   return (
     <>
@@ -43,6 +44,10 @@ export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTria
         </ul>
       )}
       {hiddenCount > 0 && <p class="inspector-text">and {hiddenCount} more locks</p>}
+      <p class="inspector-text" role="status">
+        {gaveWay &&
+          `${agentLabel(scene, gaveWay.agent)}'s lock gave way: ${agentLabel(scene, gaveWay.to)} has that place now.`}
+      </p>
       <Row label="Lock" note="or drag on the stage">
         <span class="lock-pair">
           <NumberBox
