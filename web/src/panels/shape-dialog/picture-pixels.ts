@@ -1,3 +1,4 @@
+import { loadRefusal, PNG_START, sizeRefusal } from "./picture-size";
 import { drawnPixels, NoPixels, type Pixels, SIDE } from "./pixels";
 import { svgRefusal } from "./svg-check";
 
@@ -5,8 +6,6 @@ import { svgRefusal } from "./svg-check";
 const FILE_LIMIT = 64 * 1024 * 1024;
 /** Bytes of an SVG: hundreds of times an icon. */
 const SVG_LIMIT = 8 * 1024 * 1024;
-/** Pixels each way: larger than cameras give, and small enough to decode. */
-const SIDE_LIMIT = 8192;
 
 /** The picture in a file, as the browser itself decodes it: an image element runs nothing and fetches nothing. */
 export async function picturePixels(file: File): Promise<Pixels> {
@@ -19,8 +18,10 @@ export async function picturePixels(file: File): Promise<Pixels> {
   // A picture is told by its bytes, whichever kind it is said to be; a drawing is not.
   const type = isSvg ? "image/svg+xml" : file.type || "image/png";
   const url = await addressOf(new Blob([file], { type }));
-  const image = await loaded(url, file.name);
-  checkSize(image, file.name);
+  const image = await loaded(url);
+  if (!image) throw new NoPixels(loadRefusal(file.name, await startOf(file)));
+  const excess = sizeRefusal(file.name, image.naturalWidth, image.naturalHeight);
+  if (excess) throw new NoPixels(excess);
   if (!isSvg && !(await isWhole(file))) throw new NoPixels(`${file.name} cannot be decoded; it may be cut short.`);
   const pixels = pixelsOf(image, isSvg, file.name);
   if (isOneColor(pixels)) throw new NoPixels("There is no shape in this picture: all of it has one color.");
@@ -37,20 +38,18 @@ function addressOf(file: Blob): Promise<string> {
   });
 }
 
-/** Loaded, not yet decoded: its size is known first. */
-function loaded(url: string, name: string): Promise<HTMLImageElement> {
-  return new Promise((resolve, reject) => {
+/** Loaded, not yet decoded: its size is known first. Null when the browser cannot. */
+function loaded(url: string): Promise<HTMLImageElement | null> {
+  return new Promise((resolve) => {
     const image = new Image();
     image.onload = () => resolve(image);
-    image.onerror = () => reject(new NoPixels(`${name} cannot be read; PNG, JPEG, WebP and SVG can.`));
+    image.onerror = () => resolve(null);
     image.src = url;
   });
 }
 
-function checkSize({ naturalWidth: width, naturalHeight: height }: HTMLImageElement, name: string): void {
-  if (Math.max(width, height) > SIDE_LIMIT) {
-    throw new NoPixels(`${name} has ${width} × ${height} pixels; a picture may have 8,192 each way.`);
-  }
+async function startOf(file: File): Promise<DataView> {
+  return new DataView(await file.slice(0, PNG_START).arrayBuffer());
 }
 
 function pixelsOf(image: HTMLImageElement, isSvg: boolean, name: string): Pixels {
