@@ -2,7 +2,7 @@ import "../dialogs/dialogs.css";
 import "./shape-dialog.css";
 import { useEffect, useMemo, useState } from "preact/hooks";
 import type { Point } from "../../document/formation";
-import { mainTrack } from "../../document/scene";
+import { mainTrack, type Scene } from "../../document/scene";
 import { snapOf } from "../../document/snap";
 import { formatCount } from "../../document/units";
 import type { ShapeRequest } from "../../engine/shape-protocol";
@@ -14,6 +14,7 @@ import { noteBefore, usePlacement } from "../stage-edge/use-placement";
 import { useStudio } from "../studio";
 import { OriginFields } from "./origin-fields";
 import { ReadingFields, type ReadingOptions } from "./reading-fields";
+import { refusalWords } from "./refusal-words";
 import { SlotsPreview } from "./slots-preview";
 import { type Origin, usePixels } from "./use-pixels";
 import { shownOf, useSlots } from "./use-slots";
@@ -75,6 +76,7 @@ export function ShapeDialog({ request, dialogs }: DialogProps<ShapeOrigin>) {
   }, [pixels, scene, options, count, seed]);
   const slots = useSlots(asked);
   const xy = shownOf(slots);
+  const says = wordsOf(drawn, slots, scene);
   const isPossible = slots.kind === "here" || slots.kind === "working";
 
   // Who presses while agents are still being arranged need not press again.
@@ -127,8 +129,8 @@ export function ShapeDialog({ request, dialogs }: DialogProps<ShapeOrigin>) {
             units={scene.stage.units}
             onChange={change}
           />
-          <p class="shape-says" role="status" data-tone={wordsOf(drawn, slots).tone}>
-            {wordsOf(drawn, slots).text}
+          <p class="shape-says" role="status" data-tone={says.tone}>
+            {says.text}
           </p>
         </div>
       </div>
@@ -161,14 +163,13 @@ function extentOf(xy: Float64Array): number {
 function wordsOf(
   drawn: ReturnType<typeof usePixels>,
   slots: ReturnType<typeof useSlots>,
+  { minimumDistance, stage }: Scene,
 ): { readonly tone: "plain" | "problem"; readonly text: string } {
   if (drawn.kind === "refused") return { tone: "problem", text: drawn.what };
-  if (slots.kind === "refused") return { tone: "problem", text: `${capitalized(slots.problem.what)}.` };
+  if (slots.kind === "refused") {
+    return { tone: "problem", text: refusalWords(slots.problem, minimumDistance, stage.units) };
+  }
   if (slots.kind === "working")
     return { tone: "plain", text: `Spreading agents, ${Math.round(100 * slots.progress)} %` };
   return { tone: "plain", text: drawn.kind === "here" ? drawn.pixels.note : drawn.what };
-}
-
-function capitalized(text: string): string {
-  return text.charAt(0).toUpperCase() + text.slice(1);
 }
