@@ -26,7 +26,7 @@ struct Tally {
     free: usize,
     solved: Vec<f64>,
     /// How many each rung solved.
-    rungs: [usize; 18],
+    rungs: [usize; 22],
     failed: usize,
     jerks: Vec<f64>,
     means: Vec<f64>,

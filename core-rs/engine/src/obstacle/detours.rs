@@ -113,13 +113,25 @@ impl Detours {
         (0..).zip(&self.bends).filter(|(_, bend)| is_seen(bend)).map(|(number, _)| number).collect()
     }
 
-    /// Whether any way leads from one place to another, or from near by where one is not clear. All rows of the graph are known.
-    pub fn lead(&self, from: DVec2, to: DVec2) -> bool {
-        let (Some(from), Some(to)) = (self.exit(from), self.exit(to)) else { return false };
-        self.is_clear(from, to) || {
-            let (known, _) = self.from(from, &self.seen_from(from), Norm::Euclidean);
-            self.seen_from(to).iter().any(|bend| known[*bend as usize].is_finite())
+    /// The shortest way from one place to another, both included; where one is not clear, over a place near by. None where no way leads.
+    /// All rows of the graph are known.
+    pub fn way(&self, from: DVec2, to: DVec2) -> Option<Vec<DVec2>> {
+        let (start, end) = (self.exit(from)?, self.exit(to)?);
+        let mut way = vec![to, end];
+        if !self.is_clear(start, end) {
+            let (known, before) = self.from(start, &self.seen_from(start), Norm::Euclidean);
+            let length = |bend: u32| known[bend as usize] + self.bend(bend).distance(end);
+            let nearest = self.seen_from(end).into_iter().min_by(|a, b| length(*a).total_cmp(&length(*b)));
+            let mut last = Some(nearest.filter(|bend| known[*bend as usize].is_finite())?);
+            while let Some(bend) = last {
+                way.push(self.bend(bend));
+                last = before[bend as usize];
+            }
         }
+        way.extend([start, from]);
+        way.reverse();
+        way.dedup();
+        Some(way)
     }
 
     /// What shuts two places off: the first of the obstacles between them without which a way would lead, else the first. `shapes` and
@@ -131,7 +143,7 @@ impl Detours {
             let others = shapes.iter().enumerate().filter(|(number, _)| number != obstacle).map(|(_, shape)| shape);
             let mut detours = Self::new(others, distance);
             while !detours.find_row() {}
-            detours.lead(from, to)
+            detours.way(from, to).is_some()
         };
         blocking.iter().copied().find(opens).or(blocking.first().copied()).unwrap_or(0)
     }

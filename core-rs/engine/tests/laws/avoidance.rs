@@ -1,6 +1,7 @@
 //! What avoidance promises, whatever the guide.
 
 mod around;
+mod rooms;
 mod through;
 
 use eigenform::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Edited};

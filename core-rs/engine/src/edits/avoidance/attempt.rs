@@ -23,6 +23,8 @@ pub(super) struct Attempt {
     pub(super) blocked: Vec<Blocked>,
     /// How many of all those no keyframe is to blame for.
     pub(super) open_count: usize,
+    /// How many go through an obstacle.
+    pub(super) through_count: usize,
 }
 
 impl Attempt {
@@ -33,7 +35,8 @@ impl Attempt {
         let blocked = problem.avoidance.blocked(&motion, SLACK);
         let open_count =
             open_count(&clashes, &problem.breaches, &motion) + open_blocks(&blocked, &problem.breaches, &problem.shut_off).count();
-        Self { rung, deviation, motion, clashes, blocked, open_count }
+        let through_count = open_blocks(&blocked, &problem.breaches, &problem.shut_off).filter(|at| at.distance < 0.0).count();
+        Self { rung, deviation, motion, clashes, blocked, open_count, through_count }
     }
 
     /// As it is handed out.

@@ -9,6 +9,7 @@ use super::problem::Problem;
 use super::reroute::reroute;
 use super::rungs::{Bend, Rung};
 use super::sampling::{at_knots, at_samples, difference, lifted, sum};
+use super::ways::lead_each;
 
 /// Pushes of one step; a few milliseconds.
 const VISITS_PER_STEP: usize = 20_000;
@@ -54,7 +55,11 @@ impl Climb {
             if rung.bend == Bend::Close {
                 lead_through(&mut paths, &avoidance.obstacles, avoidance.minimum_distance, &free);
             }
-            reroute(&mut paths, avoidance, rung.parting, &free);
+            if rung.bend == Bend::Ways {
+                lead_each(&mut paths, avoidance, &free);
+            } else {
+                reroute(&mut paths, avoidance, rung.parting, &free);
+            }
         }
         warp(&mut paths);
         let kernel = rung.kernel(*ways, avoidance, knot_count);

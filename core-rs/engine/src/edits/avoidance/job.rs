@@ -6,7 +6,7 @@ use super::problem::Problem;
 use super::reroute::Parting;
 use super::rungs::{Bend, RUNGS, Rung};
 use super::streams::Streams;
-use super::warp::{is_sane, stuck, swirl};
+use super::warp::{is_flung, is_sane, stuck, swirl};
 use super::{Avoidance, AvoidanceReport, Edited};
 use crate::motion::Motion;
 
@@ -31,6 +31,20 @@ struct Best {
     attempt: Attempt,
     /// Whether somebody has to run or to go far astray.
     is_hasty: bool,
+    /// Whether it leaves somebody too near and flings somebody else.
+    is_flung: bool,
+}
+
+impl Best {
+    fn of(attempt: Attempt, problem: &Problem) -> Self {
+        let (is_hasty, is_flung) = (!is_sane(&attempt, problem), attempt.open_count > 0 && is_flung(&attempt, problem));
+        Self { attempt, is_hasty, is_flung }
+    }
+
+    /// What counts against it, first what counts most.
+    fn faults(&self) -> (bool, usize, usize, bool) {
+        (self.is_flung, self.attempt.through_count, self.attempt.open_count, self.is_hasty)
+    }
 }
 
 enum Phase {
@@ -79,9 +93,7 @@ impl AvoidanceJob {
 
     fn check(&mut self, problem: Problem) -> AvoidanceStep {
         if !problem.can_be_mended() {
-            let Problem { guide, clashes, blocked, breaches, shut_off, .. } = problem;
-            let report = AvoidanceReport { deviation: [0.0; 2], unsolved: clashes, blocked, breaches, shut_off, rung: 0 };
-            return AvoidanceStep::Done(Box::new(Edited { motion: guide, deviation: None, report }));
+            return as_it_is(problem);
         }
         self.streams = Streams::of(&problem.guide, &problem.clashes, problem.avoidance.minimum_distance);
         self.start_rung(problem);
@@ -92,7 +104,7 @@ impl AvoidanceJob {
         let rung = RUNGS[self.rung];
         let distance = problem.avoidance.minimum_distance;
         let climb = Climb::new(&problem, rung, self.rung + 1, |paths| match rung.bend {
-            Bend::No | Bend::Close => {}
+            Bend::No | Bend::Close | Bend::Ways => {}
             Bend::Swirl(width) => {
                 if let Some(best) = &self.best {
                     let is_stuck = stuck(&best.attempt.clashes, &problem.clashes, problem.guide.agent_count());
@@ -107,18 +119,14 @@ impl AvoidanceJob {
     /// Keeps an attempt that leaves fewer too near than any before, or as few without haste; a bent one only where it solves and can be
     /// shown. A gap leaves no other way than through it.
     fn keep(&mut self, attempt: Attempt, problem: &Problem) {
-        let is_hasty = !is_sane(&attempt, problem);
+        let new = Best::of(attempt, problem);
         let is_wild = match RUNGS[self.rung].bend {
-            Bend::No => false,
-            Bend::Close => attempt.open_count > 0,
-            Bend::Open(_) | Bend::Swirl(_) => attempt.open_count > 0 || is_hasty,
+            Bend::No | Bend::Ways => false,
+            Bend::Close => new.attempt.open_count > 0,
+            Bend::Open(_) | Bend::Swirl(_) => new.attempt.open_count > 0 || new.is_hasty,
         };
-        if is_wild {
-            return;
-        }
-        let is_better = |best: &Best| (attempt.open_count, is_hasty) < (best.attempt.open_count, best.is_hasty);
-        if self.best.as_ref().is_none_or(is_better) {
-            self.best = Some(Best { attempt, is_hasty });
+        if !is_wild && self.best.as_ref().is_none_or(|best| new.faults() < best.faults()) {
+            self.best = Some(new);
         }
     }
 
@@ -134,6 +142,7 @@ impl AvoidanceJob {
         let may_be_gaps = problem.avoidance.obstacles.len() > 1;
         let is_idle = |rung: &Rung| match rung.bend {
             Bend::Close => !may_be_gaps,
+            Bend::Ways => problem.blocked.is_empty(),
             Bend::Open(_) => self.streams.is_none(),
             _ => false,
         };
@@ -145,6 +154,16 @@ impl AvoidanceJob {
             return self.progress(0.0);
         }
         let best = self.best.take().expect("a rung was climbed");
+        if best.is_flung {
+            return as_it_is(problem);
+        }
         AvoidanceStep::Done(Box::new(best.attempt.into_edited(problem.breaches, problem.shut_off, problem.avoidance.is_clamped)))
     }
+}
+
+/// The guide, with what is too near on it.
+fn as_it_is(problem: Problem) -> AvoidanceStep {
+    let Problem { guide, clashes, blocked, breaches, shut_off, .. } = problem;
+    let report = AvoidanceReport { deviation: [0.0; 2], unsolved: clashes, blocked, breaches, shut_off, rung: 0 };
+    AvoidanceStep::Done(Box::new(Edited { motion: guide, deviation: None, report }))
 }

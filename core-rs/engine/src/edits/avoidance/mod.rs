@@ -20,6 +20,7 @@ mod shut;
 mod spread;
 mod streams;
 mod warp;
+mod ways;
 
 use eigenform_apart::Paths;
 use glam::DVec2;
@@ -126,17 +127,25 @@ impl WayAround {
             holds: Vec::new(),
             groups: groups.to_vec(),
         };
-        let shut_off = shut::shut_off(guide, &avoidance.blocked(guide, SLACK), obstacles, distance);
+        let (shut_off, _) = shut::survey(guide, &avoidance.blocked(guide, SLACK), obstacles, distance);
         let free = free(guide.agent_count(), &shut_off);
         let around = |parting: Parting| {
             let mut paths = straight.clone();
             reroute::reroute(&mut paths, &avoidance, parting, &free);
-            sampling::lifted(&sampling::difference(&paths, &straight), guide.times(), [true; 2])
+            paths
         };
-        let together = around(Parting::Ungrouped);
-        let is_astray = warp::is_astray(sampling::lengths(&together)[1], ways, distance);
-        let detour = if is_astray && avoidance.has_groups() { around(Parting::Groups) } else { together };
-        Self { detour, shut_off }
+        let detour = |paths: &Paths| sampling::difference(paths, &straight);
+        let mut paths = around(Parting::Ungrouped);
+        if avoidance.has_groups() && warp::is_astray(sampling::lengths(&detour(&paths))[1], ways, distance) {
+            paths = around(Parting::Groups);
+        }
+        // Where walls stand on all sides, what leads around one leads into another.
+        let goes_through = |agent: &usize| obstacles.iter().any(|outline| reroute::is_blocked(&paths, *agent, outline, 0.0));
+        if obstacles.len() > 1 && free.iter().any(goes_through) {
+            paths = straight.clone();
+            ways::lead_each(&mut paths, &avoidance, &free);
+        }
+        Self { detour: sampling::lifted(&detour(&paths), guide.times(), [true; 2]), shut_off }
     }
 }
 

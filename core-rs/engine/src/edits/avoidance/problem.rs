@@ -5,7 +5,7 @@ use super::meetings::Lister;
 use super::obstacles::Blocked;
 use super::open::{open_blocks, open_count};
 use super::rungs::Ways;
-use super::shut::{ShutOff, shut_off};
+use super::shut::{ShutOff, survey};
 use super::{Avoidance, AvoidanceReport, BREACH_LIMIT, judge};
 use crate::motion::{Approach, Motion};
 
@@ -21,6 +21,8 @@ pub(super) struct Problem {
     pub(super) breaches: Vec<Breach>,
     /// By number.
     pub(super) shut_off: Vec<ShutOff>,
+    /// Of those whom obstacles block and who have a way around them, the longest, meters.
+    pub(super) longest_way: f64,
     pub(super) lister: Lister,
 }
 
@@ -28,8 +30,18 @@ impl Problem {
     /// Checks the guide exactly.
     pub(super) fn of(avoidance: Avoidance, guide: Motion) -> Self {
         let AvoidanceReport { unsolved, blocked, breaches, .. } = judge(&avoidance, &guide);
-        let shut_off = shut_off(&guide, &blocked, &avoidance.obstacles, avoidance.minimum_distance);
-        Self { ways: Ways::of(&guide), clashes: unsolved, blocked, breaches, shut_off, lister: Lister::default(), avoidance, guide }
+        let (shut_off, longest_way) = survey(&guide, &blocked, &avoidance.obstacles, avoidance.minimum_distance);
+        Self {
+            ways: Ways::of(&guide),
+            clashes: unsolved,
+            blocked,
+            breaches,
+            shut_off,
+            longest_way,
+            lister: Lister::default(),
+            avoidance,
+            guide,
+        }
     }
 
     /// Whether somebody comes too near whom no keyframe is to blame for, and can be moved.

@@ -54,7 +54,7 @@ pub(super) enum Parting {
 
 /// Leads the paths of those who are free to go around obstacles; velocities at clamped ends stay.
 pub(super) fn reroute(paths: &mut Paths, avoidance: &Avoidance, parting: Parting, free: &[usize]) {
-    let Avoidance { obstacles: outlines, minimum_distance: distance, is_clamped, .. } = avoidance;
+    let outlines = &avoidance.obstacles;
     let guide = paths.clone();
     let mut is_moved = vec![false; paths.agent_count()];
     for _ in 0..ROUNDS {
@@ -66,7 +66,13 @@ pub(super) fn reroute(paths: &mut Paths, avoidance: &Avoidance, parting: Parting
             break;
         }
     }
-    let kernel = Kernel::new(paths.knot_count(), smoothing_time(&guide, outlines, *distance), *is_clamped);
+    smooth(paths, &guide, avoidance, &is_moved);
+}
+
+/// Smooths what was added to the guide of those who were moved.
+pub(super) fn smooth(paths: &mut Paths, guide: &Paths, avoidance: &Avoidance, is_moved: &[bool]) {
+    let Avoidance { obstacles: outlines, minimum_distance: distance, is_clamped, .. } = avoidance;
+    let kernel = Kernel::new(paths.knot_count(), smoothing_time(guide, outlines, *distance), *is_clamped);
     for agent in (0..paths.agent_count()).filter(|agent| is_moved[*agent]) {
         for axis in 0..2 {
             let old = guide.path(axis, agent);
@@ -284,7 +290,7 @@ fn lead(paths: &mut Paths, agent: usize, outline: &Outline, [least, reach]: [f64
 }
 
 /// Where one is on a new way, a knot each, who has covered as much of it as of the old one.
-fn walked(old: &[DVec2], way: &[DVec2]) -> Vec<DVec2> {
+pub(super) fn walked(old: &[DVec2], way: &[DVec2]) -> Vec<DVec2> {
     let lengths = |points: &[DVec2]| {
         let mut sum = 0.0;
         let mut lengths = vec![0.0];

@@ -35,6 +35,8 @@ pub(super) enum Bend {
     Swirl(f64),
     /// Who goes through a gap between two obstacles closes up.
     Close,
+    /// Each agent whom obstacles block goes the shortest way.
+    Ways,
     /// Streams open by so much of what their files need, and lie between one another's.
     Open(f64),
 }
@@ -44,8 +46,9 @@ const STILL: f64 = 1e-4;
 
 /// Measured on drill shows: the first solves most, each of the others some that are left. Where guides turn and wave, as spectral ones
 /// do, two go side by side for long, and it is those that the stiller rungs push straight apart. Blocks that open by all they need pass
-/// smoothly; where that leads too far, half of it is enough for agents that weave their way.
-pub(super) const RUNGS: [Rung; 17] = [
+/// smoothly; where that leads too far, half of it is enough for agents that weave their way. On the shortest ways around obstacles most go
+/// in one another's steps, and only what pushes them along the way too makes them queue.
+pub(super) const RUNGS: [Rung; 21] = [
     Rung { parting: Parting::Ungrouped, ..rung(3.0, 0.4) },
     Rung { parting: Parting::Nothing, ..rung(1.5, 0.4) },
     rung(0.8, 0.3),
@@ -63,6 +66,10 @@ pub(super) const RUNGS: [Rung; 17] = [
     Rung { bend: Bend::Swirl(1.6), ..rung(2.0, 0.4) },
     Rung { bend: Bend::Swirl(2.8), ..rung(2.0, 0.4) },
     Rung { bend: Bend::Swirl(4.0), ..rung(2.0, 0.4) },
+    Rung { bend: Bend::Ways, stillness: 0.2, ..rung(1.5, 0.3) },
+    Rung { bend: Bend::Ways, stillness: 0.2, ..rung(0.8, 0.3) },
+    Rung { bend: Bend::Ways, stillness: 0.5, ..rung(0.8, 0.3) },
+    Rung { bend: Bend::Ways, stillness: 0.5, cap: 0.15, ..rung(1.5, 0.3) },
 ];
 
 const fn rung(duration: f64, step: f64) -> Rung {

@@ -21,27 +21,40 @@ pub struct ShutOff {
     pub distance: f64,
 }
 
-/// Of those whom obstacles block, everybody whom no way leads around them, by number.
-pub(super) fn shut_off(guide: &Motion, blocked: &[Blocked], obstacles: &[Outline], distance: f64) -> Vec<ShutOff> {
+/// Of those whom obstacles block, everybody whom no way leads around them, by number; and the longest way of the others, meters, or
+/// infinite where nobody looked.
+pub(super) fn survey(guide: &Motion, blocked: &[Blocked], obstacles: &[Outline], distance: f64) -> (Vec<ShutOff>, f64) {
     if blocked.is_empty() {
-        return Vec::new();
+        return (Vec::new(), 0.0);
     }
-    let shapes: Vec<ObstacleShape> = obstacles.iter().map(shape).collect();
-    let mut detours = Detours::new(&shapes, distance);
-    if detours.bend_count() > MOST_BENDS {
-        return Vec::new();
-    }
-    while !detours.find_row() {}
+    let Some(detours) = surveyed(obstacles, distance) else { return (Vec::new(), f64::INFINITY) };
     let last = guide.times().len() - 1;
-    let mut shut = Vec::<ShutOff>::new();
-    for Blocked { agent, .. } in blocked {
+    let (mut shut, mut longest) = (Vec::<ShutOff>::new(), 0.0);
+    let mut asked = None;
+    for Blocked { agent, .. } in blocked.iter().filter(|at| asked.replace(at.agent) != Some(at.agent)) {
         let [from, to] = [0, last].map(|k| guide.sample(k)[*agent as usize]);
-        if shut.last().is_none_or(|last| last.agent != *agent) && !detours.lead(from, to) {
-            let obstacle = detours.barrier(&shapes, distance, [from, to]) as u32;
+        let way = detours.way(from, to);
+        if way.is_none() {
+            let obstacle = detours.barrier(&shapes(obstacles), distance, [from, to]) as u32;
             shut.push(ShutOff { agent: *agent, obstacle, distance });
         }
+        longest = way.unwrap_or_default().windows(2).map(|piece| piece[0].distance(piece[1])).sum::<f64>().max(longest);
     }
-    shut
+    (shut, longest)
+}
+
+/// Every way around obstacles at a distance; none where there are too many.
+pub(super) fn surveyed(obstacles: &[Outline], distance: f64) -> Option<Detours> {
+    let mut detours = Detours::new(&shapes(obstacles), distance);
+    if detours.bend_count() > MOST_BENDS {
+        return None;
+    }
+    while !detours.find_row() {}
+    Some(detours)
+}
+
+fn shapes(obstacles: &[Outline]) -> Vec<ObstacleShape> {
+    obstacles.iter().map(shape).collect()
 }
 
 fn shape(outline: &Outline) -> ObstacleShape {

@@ -20,6 +20,10 @@ const SHARE_OF_WAY: f64 = 0.25;
 /// Nobody may have to run: of the guide's top speed.
 const FASTEST: f64 = 1.5;
 
+/// So many times as fast is no way to go at all; but not what anybody walks, in meters a second.
+const FLUNG: f64 = 3.0;
+const BRISK: f64 = 2.0;
+
 /// Agents in a clash that is left, and whom they clash with on the guide.
 pub(super) fn stuck(left: &[Approach], on_guide: &[Approach], agent_count: usize) -> Vec<bool> {
     let mut is_left = vec![false; agent_count];
@@ -76,6 +80,12 @@ pub(super) fn is_sane(attempt: &Attempt, problem: &Problem) -> bool {
     let [_, widest] = attempt.deviation_lengths();
     let speed_ratio = attempt.motion.top_speed() / problem.guide.top_speed();
     speed_ratio <= FASTEST && !is_astray(widest, problem.ways, problem.avoidance.minimum_distance)
+}
+
+/// Whether somebody runs many times as fast as the guide, for as much farther as they may have to go around obstacles.
+pub(super) fn is_flung(attempt: &Attempt, problem: &Problem) -> bool {
+    let stretch = (problem.longest_way / problem.ways.longest).max(1.0);
+    attempt.motion.top_speed() > (FLUNG * stretch * problem.guide.top_speed()).max(BRISK)
 }
 
 /// Whether a detour of so many meters is too wide for ways so long.
