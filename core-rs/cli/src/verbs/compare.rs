@@ -41,7 +41,7 @@ pub fn run(arguments: &Compare) -> Result<Vec<String>, Failure> {
     let costs = arguments.costs.iter().map(|typed| input::word(typed, &assign::COSTS, "--costs")).collect::<Result<Vec<_>, _>>()?;
     let pace = arguments.free_arrival.map(|pace| input::within(pace, &limits::MAX_SPEED, "--free-arrival")).transpose()?;
     let lambda = arguments.lambda.map(|lambda| input::within(lambda, &limits::LAMBDA, "--lambda")).transpose()?;
-    let Opened { mut scene, notes, .. } = input::read(&arguments.source)?;
+    let Opened { mut scene, mut notes, .. } = input::read(&arguments.source)?;
     if let Some(lambda) = lambda {
         weigh(&mut scene, lambda);
     }
@@ -55,6 +55,7 @@ pub fn run(arguments: &Compare) -> Result<Vec<String>, Failure> {
     let report = Report { segments };
     let json = || serde_json::to_string(&report).expect("numbers and words are JSON");
     output::print(&if arguments.json { json() } else { table(&report) })?;
+    notes.extend(super::stillness(&scene));
     Ok(notes)
 }
 

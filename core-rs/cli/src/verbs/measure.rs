@@ -69,6 +69,7 @@ pub fn run(arguments: &Measure) -> Result<Vec<String>, Failure> {
     let report = Report { segments: segments.collect() };
     let json = || serde_json::to_string(&report).expect("numbers and words are JSON");
     output::print(&if arguments.json { json() } else { table(&report) })?;
+    notes.extend(super::stillness(&scene));
     notes.extend(cautions(&scene));
     Ok(notes)
 }

@@ -12,3 +12,11 @@ pub mod motion;
 pub mod open;
 pub mod shape;
 pub mod spread;
+
+use eigenform::scene::Scene;
+
+/// What to say of a scene in which nothing moves.
+fn stillness(scene: &Scene) -> Option<String> {
+    let is_still = scene.main_track().segments.is_empty();
+    is_still.then(|| "the scene has one keyframe, so nothing moves: add another".to_owned())
+}

@@ -324,3 +324,17 @@ fn spread_gives_those_who_are_stuck_room_and_leaves_all_else() {
     desk.put("apart.json", &outcome.stdout);
     assert_eq!(unsolved("apart.json"), 0);
 }
+
+#[test]
+fn of_one_keyframe_it_is_said_that_nothing_moves() {
+    let desk = Desk::new();
+    desk.put("one.json", r#"{ "format": "eigenform", "version": 1, "keyframes": [{ "positions": [[0, 0], [2, 0]] }] }"#);
+    for verb in ["measure", "compare"] {
+        let outcome = desk.run(&[verb, "one.json"]);
+        assert_eq!(
+            (outcome.code, outcome.stderr.as_str()),
+            (0, "note: the scene has one keyframe, so nothing moves: add another\n"),
+            "{verb}"
+        );
+    }
+}
