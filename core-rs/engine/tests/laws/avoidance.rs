@@ -53,6 +53,20 @@ fn guides() -> impl Strategy<Value = Motion> {
     })
 }
 
+#[test]
+fn whom_keyframes_have_too_near_come_no_nearer_on_the_way() {
+    let block: Vec<DVec2> = (0..16).map(|agent| DVec2::new(f64::from(agent / 4), f64::from(agent % 4))).collect();
+    let moved: Vec<DVec2> = block.iter().map(|place| *place + DVec2::new(10.0, 0.0)).collect();
+    let guide = straight(&block, &moved);
+    for minimum_distance in [1.2, 2.0, 5.0, 20.0] {
+        let Edited { motion, report, .. } = edited(Avoidance { minimum_distance, ..avoidance() }, &guide);
+        let nearest = clashes(&motion, minimum_distance).iter().map(|clash| clash.distance).fold(f64::INFINITY, f64::min);
+        assert!(nearest > 1.0 - 1e-6, "{nearest} m at a distance of {minimum_distance} m");
+        assert!(motion.top_speed() < 2.0 * guide.top_speed(), "{} m/s at a distance of {minimum_distance} m", motion.top_speed());
+        assert!(!report.is_solved() && !report.breaches.is_empty());
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 

@@ -7,8 +7,8 @@ use super::reroute::Parting;
 use super::rungs::{Bend, RUNGS, Rung};
 use super::streams::Streams;
 use super::warp::{is_flung, is_sane, stuck, swirl};
-use super::{Avoidance, AvoidanceReport, Edited};
-use crate::motion::Motion;
+use super::{Avoidance, AvoidanceReport, Edited, SLACK};
+use crate::motion::{Approach, Motion};
 
 /// What a step came to.
 pub enum AvoidanceStep {
@@ -31,19 +31,19 @@ struct Best {
     attempt: Attempt,
     /// Whether somebody has to run or to go far astray.
     is_hasty: bool,
-    /// Whether it leaves somebody too near and flings somebody else.
-    is_flung: bool,
+    /// Whether the guide as it is does less harm.
+    is_harmful: bool,
 }
 
 impl Best {
     fn of(attempt: Attempt, problem: &Problem) -> Self {
-        let (is_hasty, is_flung) = (!is_sane(&attempt, problem), attempt.open_count > 0 && is_flung(&attempt, problem));
-        Self { attempt, is_hasty, is_flung }
+        let is_harmful = attempt.open_count > 0 && is_flung(&attempt, problem) || brings_nearer(&attempt, problem);
+        Self { is_hasty: !is_sane(&attempt, problem), is_harmful, attempt }
     }
 
     /// What counts against it, first what counts most.
     fn faults(&self) -> (bool, usize, usize, bool) {
-        (self.is_flung, self.attempt.through_count, self.attempt.open_count, self.is_hasty)
+        (self.is_harmful, self.attempt.through_count, self.attempt.open_count, self.is_hasty)
     }
 }
 
@@ -154,7 +154,7 @@ impl AvoidanceJob {
             return self.progress(0.0);
         }
         let best = self.best.take().expect("a rung was climbed");
-        if best.is_flung {
+        if best.is_harmful {
             return as_it_is(problem);
         }
         AvoidanceStep::Done(Box::new(best.attempt.into_edited(problem.breaches, problem.shut_off, problem.avoidance.is_clamped)))
@@ -166,4 +166,10 @@ fn as_it_is(problem: Problem) -> AvoidanceStep {
     let Problem { guide, clashes, blocked, breaches, shut_off, .. } = problem;
     let report = AvoidanceReport { deviation: [0.0; 2], unsolved: clashes, blocked, breaches, shut_off, rung: 0 };
     AvoidanceStep::Done(Box::new(Edited { motion: guide, deviation: None, report }))
+}
+
+/// Where keyframes have agents too near already: whether somebody comes nearer than anybody was.
+fn brings_nearer(attempt: &Attempt, problem: &Problem) -> bool {
+    let least = |clashes: &[Approach]| clashes.iter().map(|clash| clash.distance).fold(f64::INFINITY, f64::min);
+    !problem.breaches.is_empty() && least(&attempt.clashes) < least(&problem.clashes) - SLACK
 }
