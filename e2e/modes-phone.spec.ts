@@ -19,4 +19,9 @@ test("modes are a sheet on a phone, and two methods stand one above the other", 
     0,
   );
   await expectOpenToAll(studio, "compare");
+
+  await studio.dialog.getByRole("radio", { name: "Table and plots" }).check();
+  await expect(studio.dialog.getByRole("table", { name: "Averages over time of all ways" })).toBeInViewport({
+    ratio: 0.5,
+  });
 });
