@@ -2,12 +2,15 @@ import { expect, test, textOf } from "./fixtures/studio";
 
 test("an obstacle is placed, measured, named and deleted by keys alone", async ({ studio, page }) => {
   await studio.openEmpty();
+  const invitation = page.getByRole("heading", { name: "Draw a formation here" });
+  await expect(invitation).toBeVisible();
   await page.keyboard.press("o");
   await expect(studio.tool("Obstacle")).toHaveAttribute("aria-pressed", "true");
   await studio.tool("Obstacle").focus();
   await page.keyboard.press("Enter");
   const radius = studio.inspector.getByRole("spinbutton", { name: "Radius" });
   await expect(radius).toHaveValue("2");
+  await expect(invitation).toBeHidden();
   await radius.fill("1.25");
   await radius.press("Enter");
   const name = studio.inspector.getByRole("textbox", { name: "Name" });

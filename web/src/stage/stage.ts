@@ -125,7 +125,8 @@ export function createStage(host: HTMLElement, inputs: StageInputs): Stage {
     }),
     effect(() => {
       void arrivals.value;
-      const isShown = inputs.isSettled.value && agents.value.length === 0 && toolbox.overlay.value.kind === "none";
+      const isBare = agents.value.length === 0 && obstacles.value.length === 0;
+      const isShown = inputs.isSettled.value && isBare && toolbox.overlay.value.kind === "none";
       if (isShown && !empty) {
         empty = emptyState()?.createEmptyState() ?? null;
         if (empty) host.append(empty);
