@@ -47,6 +47,13 @@ describe("view", () => {
     expect(corner.y).toBeGreaterThanOrEqual(0);
   });
 
+  it("the numbers beside a stage as wide as the window stand clear of the tools", () => {
+    const view = viewOf([]);
+    view.size.value = { width: 760, height: 689 };
+    // Numbers end 8 pixels before the sheet and take some 20; the tools end 56 or, on a touch screen, 64 pixels from the left.
+    expect(toScreen(view.camera.value, [-50, 30]).x - 8 - 20).toBeGreaterThanOrEqual(64);
+  });
+
   it("a show that nearly fills the stage leaves the stage whole", () => {
     expect(
       viewOf([
