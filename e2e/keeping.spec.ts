@@ -172,6 +172,7 @@ test("blocked storage is said, and everything else goes on", async ({ studio, pa
   });
   await studio.makeShow();
   await expect(page.getByText("Not saved: the browser blocks storage")).toBeVisible();
+  await expect(studio.message("The scene is not kept on this device.")).toBeVisible();
   await studio.planned();
   expect((await studio.sceneFile()).keyframes).toHaveLength(2);
 });

@@ -148,3 +148,18 @@ test("letters that are typed into a field are no shortcuts", async ({ studio, pa
   await expect(studio.tool("Select")).toHaveAttribute("aria-pressed", "true");
   await expect(studio.button("Play")).toBeVisible();
 });
+
+test("what is typed before the commands are there is looked for, and changes nothing", async ({ studio, page }) => {
+  await studio.openFirst();
+  await studio.planned();
+  const count = await studio.keyframes.count();
+  await page.route(/(palette|host)-.*\.js$/, async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    await route.continue();
+  });
+  await page.keyboard.press("Control+k");
+  await page.keyboard.type("keyframe", { delay: 60 });
+  await expect(page.getByRole("combobox", { name: "Search commands" })).toHaveValue("keyframe");
+  await page.keyboard.press("Escape");
+  await expect(studio.keyframes).toHaveCount(count);
+});

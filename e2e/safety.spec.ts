@@ -159,3 +159,26 @@ test("a dialog that cannot be drawn says so, and can be tried again", async ({ s
   await expect(studio.dialog).toHaveCount(0);
   expect(troubles.splice(0).join()).toContain("a dialog that fails once");
 });
+
+test("what does not load is said once, and comes at the next wish", async ({ studio, page, troubles }) => {
+  await studio.openFirst();
+  await studio.planned();
+  await page.waitForLoadState("networkidle");
+  let asked = 0;
+  await page.route("**/assets/*.js", (route) => {
+    asked += 1;
+    return route.abort();
+  });
+  await studio.button("Share").click();
+  await expect(studio.message("A part of the page did not load.")).toBeVisible();
+  const first = asked;
+  await studio.button("Share").click();
+  await expect.poll(() => asked).toBeGreaterThan(first);
+  await expect(studio.dialog).toHaveCount(0);
+  await page.unroute("**/assets/*.js");
+  const before = asked;
+  expect(await studio.link()).toMatch(/#s=1\./);
+  expect(asked).toBe(before);
+  expect(before).toBeLessThan(10);
+  troubles.length = 0;
+});

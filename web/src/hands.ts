@@ -1,3 +1,5 @@
+// What says that a part did not come is here before that.
+import "./panels/stage-edge/toast";
 import { attachDrop } from "./files/drop";
 import { createIntake, type IntakeParts } from "./files/intake";
 import type { Actions } from "./panels/actions";
@@ -14,6 +16,7 @@ export interface HandsParts {
   readonly actions: Actions;
   readonly clipboard: AgentClipboard;
   readonly intake: IntakeParts;
+  typeAhead(key: string): boolean;
 }
 
 const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
@@ -22,7 +25,8 @@ const isMac = /Mac|iPhone|iPad/.test(navigator.userAgent);
 export function attachHands({ stageHost, toolbox, view, actions, clipboard, ...parts }: HandsParts): void {
   const intake = createIntake(parts.intake);
   attachTools(stageHost, toolbox, view, isMac);
-  attachKeyboard(window, { actions, isMac, holdSpace: toolbox.holdSpace, releaseSpace: toolbox.releaseSpace });
+  const { holdSpace, releaseSpace } = toolbox;
+  attachKeyboard(window, { actions, isMac, holdSpace, releaseSpace, typeAhead: parts.typeAhead });
   attachClipboard(document, clipboard, (file) => void intake.openFile(file));
   attachDrop(
     document.documentElement,

@@ -14,7 +14,7 @@ import { type ArrivalParts, arrive, hasAgents, linkIn, openLink } from "./files/
 import type { Desk } from "./files/desk";
 import { FIRST_EXAMPLE, readExample } from "./files/examples";
 import type { IntakeParts } from "./files/intake";
-import { keepScene } from "./files/keep";
+import { keepScene, sayWhenNotKept } from "./files/keep";
 import { createReader, problemFrom, sentence } from "./files/reader";
 import type { Aside } from "./panels/aside";
 import { createActions } from "./panels/create-actions";
@@ -22,7 +22,7 @@ import { createDialogs } from "./panels/dialogs/dialogs";
 import type { ActionParts } from "./panels/doing";
 import { followPlayhead } from "./panels/follow-playhead";
 import { laterHandiwork } from "./panels/later-handiwork";
-import { lazily } from "./panels/lazily";
+import { lazily, sayNotLoaded } from "./panels/lazily";
 import { createMessages, NOT_LOADED } from "./panels/messages";
 import { mountPanels } from "./panels/mount";
 import { releaseFocus } from "./panels/release-focus";
@@ -50,6 +50,7 @@ const messages = createMessages();
 const dialogs = createDialogs();
 const autosave = laterAutosave();
 followPlayhead(store, playback);
+sayWhenNotKept(autosave, messages);
 
 const aside = signal<Aside | null>(null);
 const crew = createCrew(compileEngine(), (title, text) => messages.say({ tone: "problem", title, text }));
@@ -132,10 +133,16 @@ function atDesk(act: (desk: Desk) => void): void {
   fetchDesk().then(act, () => messages.say(NOT_LOADED));
 }
 
-const DialogHost = lazily(async () => {
-  const [{ DialogHost: Host }, { services }] = await Promise.all([import("./panels/dialogs/host"), fetchDesk()]);
-  return () => h(Host, { dialogs, services });
-});
+const DialogHost = lazily(
+  async () => {
+    const [{ DialogHost: Host }, { services }] = await Promise.all([import("./panels/dialogs/host"), fetchDesk()]);
+    return () => h(Host, { dialogs, services });
+  },
+  (studio) => {
+    sayNotLoaded(studio);
+    dialogs.close();
+  },
+);
 
 const actionParts: ActionParts = {
   document: seen.document,
@@ -207,7 +214,15 @@ mountPanels(root, studio, {
 async function attachHands(): Promise<void> {
   try {
     const hands = await import("./hands");
-    hands.attachHands({ stageHost, toolbox, view, actions, clipboard: handiwork.clipboard, intake });
+    hands.attachHands({
+      stageHost,
+      toolbox,
+      view,
+      actions,
+      clipboard: handiwork.clipboard,
+      intake,
+      typeAhead: dialogs.typeAhead,
+    });
   } catch {
     messages.say(NOT_LOADED);
   }

@@ -3,6 +3,20 @@ import type { LaterAutosave } from "../document/later-autosave";
 import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import type { Engine } from "../engine/api";
+import type { Messages } from "../panels/messages";
+
+/** As autosave's words start when nothing is kept. */
+const NOT_SAVED = "Not saved: ";
+
+/** Says it aloud when the scene cannot be kept, beside the words at its title, which a narrow page has no room for. */
+export function sayWhenNotKept({ words }: Pick<LaterAutosave, "words">, messages: Messages): void {
+  effect(() => {
+    if (!words.value.startsWith(NOT_SAVED)) return;
+    const why = words.value.slice(NOT_SAVED.length);
+    const text = `${why.charAt(0).toUpperCase()}${why.slice(1)}. Save it as a file, or share its link, to keep it.`;
+    messages.say({ tone: "problem", title: "The scene is not kept on this device.", text });
+  });
+}
 
 /** Keeps the scene on this device whenever it changes, from now on. `settled` itself need not be kept. */
 export function keepScene(document: DocumentStore, autosave: LaterAutosave, engine: Engine, settled: Scene): void {

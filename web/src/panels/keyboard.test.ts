@@ -24,17 +24,25 @@ const DIALOG = new Focus(["dialog"]);
 let page: EventTarget;
 let done: string[];
 let hasPanned: boolean;
+let isAwaited: boolean;
 
 beforeEach(() => {
   vi.stubGlobal("Element", Focus);
   page = new EventTarget();
   done = [];
   hasPanned = false;
+  isAwaited = false;
   const all = (Object.keys(SHORTCUTS) as ActionId[]).map((id): Action => {
     return { id, label: id, section: "Edit", keys: keysOf(id), run: () => done.push(id) };
   });
   const actions: Actions = { all, get: (id) => all.find((action) => action.id === id) ?? all[0] ?? never() };
-  attachKeyboard(page as Window, { actions, isMac: false, holdSpace: () => {}, releaseSpace: () => hasPanned });
+  attachKeyboard(page as Window, {
+    actions,
+    isMac: false,
+    holdSpace: () => {},
+    releaseSpace: () => hasPanned,
+    typeAhead: () => isAwaited,
+  });
 });
 
 afterEach(() => vi.unstubAllGlobals());
@@ -119,4 +127,14 @@ test("copying and pasting is left to the browser, which brings the clipboard alo
   expect(key("keydown", "c", BODY, { ctrl: true }).defaultPrevented).toBe(false);
   expect(key("keydown", "v", BODY, { ctrl: true }).defaultPrevented).toBe(false);
   expect(done).toEqual([]);
+});
+
+test("keys for a dialog that is on its way do nothing to the scene", () => {
+  isAwaited = true;
+  const typed = key("keydown", "k", BODY);
+  key("keydown", "Delete", BODY);
+  key("keydown", " ", BODY);
+  key("keyup", " ", BODY);
+  expect(done).toEqual([]);
+  expect(typed.defaultPrevented).toBe(true);
 });

@@ -4,6 +4,8 @@ import { isPressed } from "./key-match";
 export interface KeyboardParts {
   readonly actions: Actions;
   readonly isMac: boolean;
+  /** Whether a key is for a dialog that was asked for and is not there yet. */
+  typeAhead(key: string): boolean;
   /** Space goes down: the stage pans while it is held. */
   holdSpace(): void;
   /** Space goes up: whether it was held to pan, so that it does not play. */
@@ -22,6 +24,10 @@ export function attachKeyboard(page: Window, parts: KeyboardParts): () => void {
 
   function onKeyDown(event: KeyboardEvent): void {
     if (event.defaultPrevented || event.isComposing || isInDialog(event.target)) return;
+    if (parts.typeAhead(event.key)) {
+      if (event.key.length === 1) event.preventDefault();
+      return;
+    }
     if (event.code === "Space" && !event.ctrlKey && !event.metaKey && !event.altKey) {
       if (hasOwnPress(event.target)) return;
       event.preventDefault();

@@ -4,7 +4,7 @@ import { type ReadonlySignal, useSignal, useSignalEffect } from "@preact/signals
 import type { ComponentType } from "preact";
 import { mainTrack } from "../document/scene";
 import { Inspector } from "./inspector/inspector";
-import { lazily } from "./lazily";
+import { lazily, sayNotLoaded } from "./lazily";
 import { Rail } from "./rail";
 import { ContextBar } from "./stage-edge/context-bar";
 import { Toasts } from "./stage-edge/toasts";
@@ -18,8 +18,9 @@ const Hint = lazily(() => import("./stage-edge/hint").then((part) => part.Hint))
 const ViewPills = lazily(() => import("./stage-edge/view-pills").then((part) => part.ViewPills));
 const PerspectiveView = lazily(
   () => import("./perspective/perspective-view").then((part) => part.PerspectiveView),
-  ({ view }) => {
-    view.projection.value = "plan";
+  (studio) => {
+    sayNotLoaded(studio);
+    studio.view.projection.value = "plan";
   },
 );
 

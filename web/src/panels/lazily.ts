@@ -1,18 +1,23 @@
 import { signal } from "@preact/signals";
 import { type ComponentType, type FunctionComponent, h } from "preact";
 import { useEffect } from "preact/hooks";
-import { type Messages, NOT_LOADED } from "./messages";
+import { NOT_LOADED } from "./messages";
 import { type Studio, useStudio } from "./studio";
+
+/** That a part did not come. */
+export function sayNotLoaded({ messages }: Studio): void {
+  messages.say(NOT_LOADED);
+}
 
 /** A component that is fetched when it is first shown, and shows nothing until then; `onFailed` when it does not come. */
 export function lazily<Props extends object>(
   load: () => Promise<ComponentType<Props>>,
-  onFailed?: (studio: Studio) => void,
+  onFailed: (studio: Studio, props: Props) => void = sayNotLoaded,
 ): FunctionComponent<Props> {
   const part = createPart(load);
   return function Lazy(props: Props) {
     const studio = useStudio();
-    useEffect(() => part.fetch(studio.messages, () => onFailed?.(studio)), [studio]);
+    useEffect(() => part.fetch(() => onFailed(studio, props)), [studio]);
     const Shown = part.loaded.value?.component;
     return Shown ? h(Shown, props) : null;
   };
@@ -24,17 +29,14 @@ function createPart<Props extends object>(load: () => Promise<ComponentType<Prop
   let isFetching = false;
   return {
     loaded,
-    fetch(messages: Messages, onFailed: () => void): void {
+    fetch(onFailed: () => void): void {
       if (isFetching || loaded.peek()) return;
       isFetching = true;
       load()
         .then((component) => {
           loaded.value = { component };
         })
-        .catch(() => {
-          messages.say(NOT_LOADED);
-          onFailed();
-        })
+        .catch(onFailed)
         .finally(() => {
           isFetching = false;
         });

@@ -49,7 +49,7 @@ export function createMessages(): Messages {
 
   function announce(text: string): void {
     last += 1;
-    announcements.value = [...announcements.value, { id: last, text }].slice(-FEW);
+    announcements.value = [...announcements.peek(), { id: last, text }].slice(-FEW);
   }
 
   return {
@@ -59,12 +59,12 @@ export function createMessages(): Messages {
     say(message) {
       announce(`${message.title} ${message.text}`);
       const about = message.about ?? message.title;
-      const others = shown.value.filter((other) => other.about !== about);
+      const others = shown.peek().filter((other) => other.about !== about);
       shown.value = [...others, { actions: [], ...message, about, id: last }].slice(-FEW);
       return last;
     },
     dismiss(id) {
-      shown.value = shown.value.filter((message) => message.id !== id);
+      shown.value = shown.peek().filter((message) => message.id !== id);
     },
   };
 }

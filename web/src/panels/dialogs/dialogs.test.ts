@@ -26,3 +26,18 @@ test("a choice answers the question", async () => {
   expect(await answer).toBe("Open the linked scene");
   expect(dialogs.shown.value).toBeNull();
 });
+
+test("what is typed while a dialog is on its way is its first text, and nobody else's", () => {
+  const dialogs = createDialogs();
+  expect(dialogs.typeAhead("k")).toBe(false);
+  dialogs.show({ kind: "palette" });
+  const keys = ["k", "e", "Shift", "y", " "];
+  expect(keys.map(dialogs.typeAhead)).toEqual(keys.map(() => true));
+  expect(dialogs.takeTyped()).toBe("key ");
+  expect(dialogs.takeTyped()).toBe("");
+  dialogs.typeAhead("x");
+  dialogs.close();
+  expect(dialogs.typeAhead("k")).toBe(false);
+  dialogs.show({ kind: "palette" });
+  expect(dialogs.takeTyped()).toBe("");
+});

@@ -53,6 +53,10 @@ export type DialogRequest =
 export interface Dialogs {
   readonly shown: ReadonlySignal<DialogRequest | null>;
   show(request: DialogRequest): void;
+  /** A key while a dialog is asked for and has not the focus yet: whether it is the dialog's, as the first of what is typed there. */
+  typeAhead(key: string): boolean;
+  /** What was typed ahead, once. */
+  takeTyped(): string;
   /** Leaves the dialog; a question takes its last choice. */
   close(): void;
   /** Takes a question's choice, and that alone. */
@@ -63,6 +67,7 @@ export interface Dialogs {
 
 export function createDialogs(): Dialogs {
   const shown = signal<DialogRequest | null>(null);
+  let typed = "";
 
   function leave(): void {
     const request = shown.peek();
@@ -75,7 +80,18 @@ export function createDialogs(): Dialogs {
     show(request) {
       // A question that is pushed aside is answered too, or whoever asked would wait for ever.
       leave();
+      typed = "";
       shown.value = request;
+    },
+    typeAhead(key) {
+      if (!shown.peek()) return false;
+      if (key.length === 1) typed += key;
+      return true;
+    },
+    takeTyped() {
+      const taken = typed;
+      typed = "";
+      return taken;
     },
     close: leave,
     answer(choice) {

@@ -1,6 +1,7 @@
 import type { ComponentType } from "preact";
-import { lazily } from "../lazily";
+import { lazily, sayNotLoaded } from "../lazily";
 import { IS_SAFE, Safely, WENT_WRONG } from "../safely";
+import type { Studio } from "../studio";
 import type { DialogRequest, Dialogs } from "./dialogs";
 import { Frame } from "./frame";
 import type { DialogServices } from "./services";
@@ -15,16 +16,22 @@ export interface DialogProps<Request extends DialogRequest = DialogRequest> {
 type Kind = DialogRequest["kind"];
 type OfKind<K extends Kind> = Extract<DialogRequest, { readonly kind: K }>;
 
+/** A dialog that does not come is closed, so that the next wish for it tries again. */
+function giveUp(studio: Studio, { dialogs }: Pick<DialogProps, "dialogs">): void {
+  sayNotLoaded(studio);
+  dialogs.close();
+}
+
 const DIALOGS: { readonly [K in Kind]: ComponentType<DialogProps<OfKind<K>>> } = {
-  share: lazily(() => import("./share").then((part) => part.ShareDialog)),
-  examples: lazily(() => import("./examples").then((part) => part.ExamplesDialog)),
-  help: lazily(() => import("./help").then((part) => part.HelpDialog)),
-  palette: lazily(() => import("./palette").then((part) => part.PaletteDialog)),
-  export: lazily(() => import("./export").then((part) => part.ExportDialog)),
-  compare: lazily(() => import("../compare/compare").then((part) => part.CompareDialog)),
-  shape: lazily(() => import("../shape-dialog/shape-dialog").then((part) => part.ShapeDialog)),
-  question: lazily(() => import("./question").then((part) => part.QuestionDialog)),
-  problem: lazily(() => import("./question").then((part) => part.ProblemDialog)),
+  share: lazily(() => import("./share").then((part) => part.ShareDialog), giveUp),
+  examples: lazily(() => import("./examples").then((part) => part.ExamplesDialog), giveUp),
+  help: lazily(() => import("./help").then((part) => part.HelpDialog), giveUp),
+  palette: lazily(() => import("./palette").then((part) => part.PaletteDialog), giveUp),
+  export: lazily(() => import("./export").then((part) => part.ExportDialog), giveUp),
+  compare: lazily(() => import("../compare/compare").then((part) => part.CompareDialog), giveUp),
+  shape: lazily(() => import("../shape-dialog/shape-dialog").then((part) => part.ShapeDialog), giveUp),
+  question: lazily(() => import("./question").then((part) => part.QuestionDialog), giveUp),
+  problem: lazily(() => import("./question").then((part) => part.ProblemDialog), giveUp),
 };
 
 /** Shows the dialog asked for, one at a time; each is fetched when it is first opened. */

@@ -13,7 +13,7 @@ import { type Found, findEntries, paletteEntries } from "./palette-entries";
 export function PaletteDialog({ dialogs }: DialogProps) {
   const studio = useStudio();
   const entries = useMemo(() => paletteEntries(studio), [studio]);
-  const [typed, setTyped] = useState("");
+  const [typed, setTyped] = useState(dialogs.takeTyped);
   const [at, setAt] = useState(0);
   const list = useRef<HTMLDivElement>(null);
   const sections = findEntries(entries, typed);

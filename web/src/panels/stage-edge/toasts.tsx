@@ -2,7 +2,11 @@ import { lazily } from "../lazily";
 import { useStudio } from "../studio";
 import { usePlanningWorthSaying } from "./use-planning-worth-saying";
 
-const Toast = lazily(() => import("./toast").then((part) => part.Toast));
+/** What says that a part did not come does not say so of itself: it would come to that again and again. */
+const Toast = lazily(
+  () => import("./toast").then((part) => part.Toast),
+  () => {},
+);
 const PlanningToast = lazily(() => import("./planning-toast").then((part) => part.PlanningToast));
 
 /** What happened and what to do about it, at the foot of the stage. */
