@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::choice::{Choice, MethodName};
-use crate::edits::AvoidanceReport;
+use crate::edits::{AvoidanceReport, Breach, Other};
 use crate::motion::{Approach, Motion};
 
 /// A next step for the person.
@@ -44,13 +44,16 @@ const LEAST_DISTANCE: f64 = 0.1;
 
 /// The likeliest first; none where nothing is unsolved or a keyframe alone is to blame.
 pub(super) fn suggestions(report: &AvoidanceReport, motion: &Motion, choice: &Choice, minimum_distance: f64) -> Vec<Suggestion> {
-    let meetings = report.unsolved.iter().map(|clash| (clash.distance, clash.time));
+    let distances = report.unsolved.iter().map(|clash| clash.distance).chain(report.blocked_on_the_way().map(|at| at.distance));
+    let nearest = distances.fold(f64::INFINITY, f64::min);
+    let on_the_way = || report.unsolved.iter().filter(|clash| !is_of_a_keyframe(clash, &report.breaches));
+    let meetings = on_the_way().map(|clash| (clash.distance, clash.time));
     let all = meetings.chain(report.blocked_on_the_way().map(|at| (at.distance, at.time)));
-    let Some((nearest, time)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Vec::new() };
+    let Some((_, time)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Vec::new() };
     let mut suggestions = Vec::new();
-    let swap = report.unsolved.iter().filter(|clash| swap_gain(motion, clash) > 0.0).min_by(|a, b| a.distance.total_cmp(&b.distance));
+    let swap = on_the_way().filter(|clash| swap_gain(motion, clash) > 0.0).min_by(|a, b| a.distance.total_cmp(&b.distance));
     suggestions.extend(swap.map(|clash| Suggestion::Swap { agents: clash.agents }));
-    if !report.unsolved.is_empty() {
+    if on_the_way().next().is_some() {
         suggestions.push(Suggestion::Assign);
     }
     if choice.method != MethodName::Linear {
@@ -65,6 +68,11 @@ pub(super) fn suggestions(report: &AvoidanceReport, motion: &Motion, choice: &Ch
     }
     suggestions.push(Suggestion::Keyframe { time });
     suggestions
+}
+
+/// Whether a keyframe has these two too near already: nothing that changes the way between helps them.
+fn is_of_a_keyframe(clash: &Approach, breaches: &[Breach]) -> bool {
+    breaches.iter().any(|breach| breach.agent == clash.agents.0 && breach.other == Other::Agent(clash.agents.1))
 }
 
 /// By how much the sum of squared ways shrinks when two swap their places in the target, m².
@@ -100,6 +108,9 @@ mod tests {
         ];
         assert_eq!(suggestions(&report, &motion, &choice, 0.5), expected);
         assert_eq!(suggestions(&AvoidanceReport::default(), &motion, &choice, 0.5), []);
+        // The two stand too near in a keyframe: nothing on the way mends that.
+        let breaches = vec![Breach { end: 1, agent: 0, other: Other::Agent(1), distance: 0.3 }];
+        assert_eq!(suggestions(&AvoidanceReport { breaches, ..report }, &motion, &choice, 0.5), []);
         // An obstacle in the way: a swap and other places are no help, a keyframe where it is nearest is.
         let blocked = vec![Blocked { distance: -0.2, time: 0.7, agent: 1, obstacle: 0 }];
         let report = AvoidanceReport { blocked, ..AvoidanceReport::default() };
