@@ -19,14 +19,6 @@ export async function lintRust() {
   await step("Rust lint", () =>
     run("cargo", ["clippy", "--quiet", "--workspace", "--all-targets", "--", "-D", "warnings"], { cwd }),
   );
-  // Nothing in our code asks for which machine it is compiled; what a first visit loads is the engine with less in it.
-  await step("Rust lint, first visit", () =>
-    run(
-      "cargo",
-      ["clippy", "--quiet", "--package", "eigenform-wasm", "--no-default-features", "--", "-D", "warnings"],
-      { cwd },
-    ),
-  );
 }
 
 /** The engine's types as the page has them, and the engine's own tests. */
