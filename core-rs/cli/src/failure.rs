@@ -85,7 +85,7 @@ impl From<clap::Error> for Failure {
         if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
             return Self::usage("what is to be done is missing", "eigenform --help lists the verbs");
         }
-        if let Some(failure) = mistyped(&error) {
+        if let Some(failure) = mistyped(&error).or_else(|| missing(&error)) {
             return failure;
         }
         let text = error.to_string();
@@ -106,6 +106,14 @@ fn mistyped(error: &clap::Error) -> Option<Failure> {
     Some(Failure::usage(format!("{} {why}", quoted(value)), argument.split(' ').next().unwrap_or(argument)))
 }
 
+/// What has to be given and was not.
+fn missing(error: &clap::Error) -> Option<Failure> {
+    let Some(ContextValue::Strings(arguments)) = error.get(ContextKind::InvalidArg) else { return None };
+    let are = if arguments.len() > 1 { "are" } else { "is" };
+    let what = format!("{} {are} missing", arguments.join(" and "));
+    (error.kind() == clap::error::ErrorKind::MissingRequiredArgument).then(|| Failure::usage(what, "the verb's --help has an example"))
+}
+
 impl Display for Failure {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let (code, what, place) = match self {
@@ -113,11 +121,21 @@ impl Display for Failure {
             Self::Refused(error) => (error.code(), error.to_string(), error.place()),
             Self::Given { code, what, place } => (*code, what.clone(), place.clone()),
             Self::Usage { what, place } => ("usage", what.clone(), place.clone()),
-            Self::File { code, error, path } => (*code, error.to_string(), path.clone()),
+            Self::File { code, error, path } => (*code, in_words(error), path.clone()),
             Self::Nothing(_) => return Ok(()),
         };
         write!(f, "{code}: {}", on_one_line(&what))?;
         if place.is_empty() { Ok(()) } else { write!(f, " ({})", on_one_line(&place)) }
+    }
+}
+
+/// What the system says, without its number.
+fn in_words(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::IsADirectory => "this is a folder, not a file".to_owned(),
+        io::ErrorKind::NotFound if error.raw_os_error().is_some() => "there is no such file".to_owned(),
+        kind if error.raw_os_error().is_some() => kind.to_string(),
+        _ => error.to_string(),
     }
 }
 

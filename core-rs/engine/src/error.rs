@@ -13,7 +13,7 @@ pub use json::JsonError;
 pub use recording::RecordingError;
 pub use table::TableError;
 pub use words::{Blank, Counted};
-use words::{Listed, there_are};
+use words::{Listed, there_are, two_slots};
 
 use crate::scene::limits;
 
@@ -284,7 +284,7 @@ pub enum Error {
         place: String,
     },
     /// An agent locked to two slots.
-    #[error("agent {agent} is locked to slots {} and {}; an agent has one", slots[0], slots[1])]
+    #[error("{}", two_slots(*agent, *slots))]
     TwoSlots {
         /// The agent.
         agent: u32,

@@ -57,7 +57,10 @@ pub fn path(data: &str) -> Result<Pixels, Failure> {
         let (x, y) = (bounds.x() - margin, bounds.y() - margin);
         render(&parse(svg(format!("{x} {y} {} {}", bounds.width() + 2.0 * margin, bounds.height() + 2.0 * margin)))?)
     });
-    drawn.ok_or_else(|| refused("broken-picture", "this path has no inside; a path has corners such as M 0 0 L 4 0 L 2 3 Z", data))
+    let has_inside = |pixels: &Pixels| pixels.rgba.chunks_exact(4).any(|pixel| pixel[3] > 0);
+    drawn
+        .filter(has_inside)
+        .ok_or_else(|| refused("broken-picture", "this path has no inside; a path has corners such as M 0 0 L 4 0 L 2 3 Z", data))
 }
 
 /// In the path's own numbers.

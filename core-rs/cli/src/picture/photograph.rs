@@ -21,19 +21,16 @@ pub fn decode(bytes: &[u8], name: &str) -> Option<Result<Pixels, Failure>> {
     };
     Some(decoded.map_err(|trouble| match trouble {
         Trouble::Size(failure) => failure,
-        Trouble::Broken(what) => refused("broken-picture", format!("the picture cannot be decoded: {what}"), name),
+        Trouble::Broken => refused("broken-picture", "the picture cannot be decoded; it may be cut short or damaged", name),
+        Trouble::Unsupported(why) => refused("broken-picture", format!("the picture cannot be decoded: {why}"), name),
     }))
 }
 
 enum Trouble {
     Size(Failure),
-    Broken(String),
-}
-
-impl Trouble {
-    fn broken(error: &impl ToString) -> Self {
-        Self::Broken(error.to_string())
-    }
+    /// The decoders' own words tell nobody more.
+    Broken,
+    Unsupported(&'static str),
 }
 
 fn check_size(width: usize, height: usize) -> Result<(), Trouble> {
@@ -43,13 +40,13 @@ fn check_size(width: usize, height: usize) -> Result<(), Trouble> {
 fn decode_png(bytes: &[u8]) -> Result<Pixels, Trouble> {
     let mut decoder = Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(Transformations::normalize_to_color8() | Transformations::ALPHA);
-    let (width, height) = decoder.read_header_info().map_err(|error| Trouble::broken(&error))?.size();
+    let (width, height) = decoder.read_header_info().map_err(|_| Trouble::Broken)?.size();
     let (width, height) = (width as usize, height as usize);
     check_size(width, height)?;
-    let mut reader = decoder.read_info().map_err(|error| Trouble::broken(&error))?;
-    let size = reader.output_buffer_size().ok_or_else(|| Trouble::broken(&"it is too large"))?;
+    let mut reader = decoder.read_info().map_err(|_| Trouble::Broken)?;
+    let size = reader.output_buffer_size().ok_or(Trouble::Unsupported("it is too large"))?;
     let mut decoded = vec![0; size];
-    let frame = reader.next_frame(&mut decoded).map_err(|error| Trouble::broken(&error))?;
+    let frame = reader.next_frame(&mut decoded).map_err(|_| Trouble::Broken)?;
     let rgba = match frame.color_type {
         ColorType::GrayscaleAlpha => decoded.chunks_exact(2).flat_map(|pixel| [pixel[0], pixel[0], pixel[0], pixel[1]]).collect(),
         _ => decoded,
@@ -60,21 +57,21 @@ fn decode_png(bytes: &[u8]) -> Result<Pixels, Trouble> {
 fn decode_jpeg(bytes: &[u8]) -> Result<Pixels, Trouble> {
     let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGBA);
     let mut decoder = JpegDecoder::new_with_options(Cursor::new(bytes), options);
-    decoder.decode_headers().map_err(|error| Trouble::Broken(format!("{error:?}")))?;
-    let (width, height) = decoder.dimensions().ok_or_else(|| Trouble::broken(&"it has no size"))?;
+    decoder.decode_headers().map_err(|_| Trouble::Broken)?;
+    let (width, height) = decoder.dimensions().ok_or(Trouble::Unsupported("it has no size"))?;
     check_size(width, height)?;
-    let rgba = decoder.decode().map_err(|error| Trouble::Broken(format!("{error:?}")))?;
+    let rgba = decoder.decode().map_err(|_| Trouble::Broken)?;
     whole(Pixels { width, height, rgba })
 }
 
 fn decode_webp(bytes: &[u8]) -> Result<Pixels, Trouble> {
-    let mut decoder = image_webp::WebPDecoder::new(Cursor::new(bytes)).map_err(|error| Trouble::broken(&error))?;
+    let mut decoder = image_webp::WebPDecoder::new(Cursor::new(bytes)).map_err(|_| Trouble::Broken)?;
     let (width, height) = decoder.dimensions();
     let (width, height) = (width as usize, height as usize);
     check_size(width, height)?;
-    let size = decoder.output_buffer_size().ok_or_else(|| Trouble::broken(&"it is too large"))?;
+    let size = decoder.output_buffer_size().ok_or(Trouble::Unsupported("it is too large"))?;
     let mut decoded = vec![0; size];
-    decoder.read_image(&mut decoded).map_err(|error| Trouble::broken(&error))?;
+    decoder.read_image(&mut decoded).map_err(|_| Trouble::Broken)?;
     let rgba =
         if decoder.has_alpha() { decoded } else { decoded.chunks_exact(3).flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255]).collect() };
     whole(Pixels { width, height, rgba })
@@ -83,5 +80,5 @@ fn decode_webp(bytes: &[u8]) -> Result<Pixels, Trouble> {
 /// Every pixel must have come.
 fn whole(pixels: Pixels) -> Result<Pixels, Trouble> {
     let is_whole = pixels.rgba.len() == 4 * pixels.width * pixels.height;
-    if is_whole { Ok(pixels) } else { Err(Trouble::broken(&"it is in colors that are not supported")) }
+    if is_whole { Ok(pixels) } else { Err(Trouble::Unsupported("it is in colors that are not supported")) }
 }

@@ -49,7 +49,13 @@ fn face_for(fonts: &Database, text: &str, font: Option<&str>) -> Result<ID, Fail
         return Err(refused("no-glyph", format!("the font {name:?} has no {missing:?}; give another, or none"), "--font"));
     }
     let other = fonts.faces().map(|face| face.id).find(|&id| lacking(id).is_none());
-    other.ok_or_else(|| refused("no-glyph", format!("no font of this machine has all of it, such as {missing:?}"), text))
+    other.ok_or_else(|| {
+        refused(
+            "no-glyph",
+            format!("no font of this machine has all of these letters, {missing:?} among them; install one, or give a picture of the text"),
+            text,
+        )
+    })
 }
 
 /// The first character that a font does not have.

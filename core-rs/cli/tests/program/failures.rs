@@ -1,6 +1,6 @@
 //! Every failure is one line with a code, the right exit code, and nothing half-written.
 
-use crate::desk::{Desk, SHOW, png};
+use crate::desk::{Desk, SHOW, jpeg, png, webp};
 
 fn check(desk: &Desk, arguments: &[&str], code: i32, start: &str) {
     let before = desk.names();
@@ -87,13 +87,16 @@ fn bad_input_is_two_and_says_where() {
 }
 
 #[test]
-fn a_number_that_is_none_is_named_with_its_option() {
+fn a_number_that_is_none_or_missing_is_named_with_its_option() {
     let desk = Desk::new();
     for (arguments, said) in [
         (&["motion", "show.json", "--at", "1,foo"][..], "\"foo\" is no number; give one such as 2.5 (--at)"),
         (&["motion", "show.json", "--at", "0,,1"], "\"\" is no number; give one such as 2.5 (--at)"),
         (&["check", "show.json", "--minimum-distance", "wide"], "\"wide\" is no number; give one such as 2.5 (--minimum-distance)"),
         (&["modes", "show.json", "--keyframe", "first"], "\"first\" is no whole number; give one such as 2 (--keyframe)"),
+        (&["shape", "GO", "--agents", "1000000000000000000000"], "\"1000000000000000000000\" is far out of range (--agents)"),
+        (&["shape", "GO"], "--agents <N> is missing (the verb's --help has an example)"),
+        (&["assign", "show.json"], "--from <K> and --to <K> are missing (the verb's --help has an example)"),
         (&["shape", "GO", "--agents", "2.5"], "\"2.5\" is no whole number; give one such as 2 (--agents)"),
         (&["convert", "show.json", "out.json", "--frames", "0,x"], "\"x\" is no whole number; give one such as 2 (--frames)"),
     ] {
@@ -120,6 +123,8 @@ fn a_shape_that_is_none_says_why() {
     desk.put_bytes("blank.png", &blank);
     desk.put_bytes("pale.png", &png(9, 9, |x, _| if x < 4 { [204, 204, 204, 255] } else { [255; 4] }));
     desk.put_bytes("cut.png", &blank[..blank.len() / 2]);
+    desk.put_bytes("cut.jpg", &jpeg()[..40]);
+    desk.put_bytes("cut.webp", &webp()[..20]);
     desk.put_bytes("clear.png", &png(9, 9, |_, _| [0; 4]));
     desk.put_bytes("dot.png", &png(1, 1, |_, _| [0, 0, 0, 255]));
     // The header of a PNG of 60,000 × 60,000 pixels, whose checksum fits.
@@ -143,7 +148,9 @@ fn a_shape_that_is_none_says_why() {
             "blank-picture: there is no shape in this picture: nothing of it is taken for the shape; raise the threshold, to 0.9 ",
         ),
         ("clear.png", &[], "blank-picture: there is no shape in this picture: all of it is transparent"),
-        ("cut.png", &[], "broken-picture: the picture cannot be decoded"),
+        ("cut.png", &[], "broken-picture: the picture cannot be decoded; it may be cut short or damaged (cut.png)\n"),
+        ("cut.jpg", &[], "broken-picture: the picture cannot be decoded; it may be cut short or damaged (cut.jpg)\n"),
+        ("cut.webp", &[], "broken-picture: the picture cannot be decoded; it may be cut short or damaged (cut.webp)\n"),
         ("dot.png", &[], "picture-size: 1 × 1 pixels"),
         ("huge.png", &[], "picture-size: 60000 × 60000 pixels"),
         ("script.svg", &[], "active-svg: this SVG has a script in it"),
@@ -153,6 +160,7 @@ fn a_shape_that_is_none_says_why() {
         ("cut.svg", &[], "broken-picture: the SVG cannot be read; it may be cut short"),
         ("show.json", &[], "broken-picture: this is no PNG, JPEG, WebP or SVG"),
         ("M 0 0 L 4 0", &[], "broken-picture: this path has no inside"),
+        ("M 0 0 L 4 4", &[], "broken-picture: this path has no inside"),
         (" ", &[], "no-text: nothing of this text can be seen"),
         ("Go", &["--font", "No Such Font"], "no-font: "),
         (triangle, &["--threshold", "2"], "out-of-range: 2 is out of range; it must be from 0.01 to 0.99 (--threshold)"),
@@ -190,6 +198,7 @@ fn an_assignment_that_cannot_be_says_why() {
         (&["--lock", "-1:0"], "usage: \"-1:0\" is no lock; "),
         (&["--lock", "0:4"], "unknown-agent: "),
         (&["--lock", "0:1", "--lock", "0:2"], "contradictory-locks: agent 0 is locked to slots 1 and 2"),
+        (&["--lock", "0:1", "--lock", "0:1"], "contradictory-locks: agent 0 is locked to slot 1 twice; once is enough (--lock 0:1)"),
         (&["--lock", "0:1", "--lock", "3:1"], "contradictory-locks: slot 1 is locked for agents 0 and 3"),
         (&["--predict"], "nothing-to-predict-from: "),
     ] {
@@ -212,8 +221,12 @@ fn files_that_cannot_be_read_or_written_are_one() {
     let desk = Desk::new();
     std::fs::create_dir(desk.path("folder.csv")).expect("a folder");
     std::fs::create_dir(desk.path("folder.json")).expect("a folder");
-    for arguments in [&["check", "absent.json"][..], &["motion", "folder.json"], &["convert", "absent.csv", "scene.json"]] {
-        check(&desk, arguments, 1, "cannot-read: ");
+    for (arguments, said) in [
+        (&["check", "absent.json"][..], "there is no such file (absent.json)"),
+        (&["motion", "folder.json"], "this is a folder, not a file (folder.json)"),
+        (&["convert", "absent.csv", "scene.json"], "there is no such file (absent.csv)"),
+    ] {
+        check(&desk, arguments, 1, &format!("cannot-read: {said}\n"));
     }
     for arguments in [
         &["motion", "show.json", "--out", "absent/motion.csv"][..],

@@ -58,12 +58,13 @@ fn what_a_scene_cannot_have_is_a_note_with_what_helps() {
         let outcome = desk.run(&[verb, "small.json"]);
         assert_eq!(outcome.code, 0);
         let notes: Vec<&str> = outcome.stderr.lines().collect();
-        assert_eq!(notes.len(), 2, "{notes:?}");
+        assert_eq!(notes.len(), 3, "{notes:?}");
         assert!(
             notes[0].starts_with("note: a stage of 4 × 2 m holds at most 2 agents 5 m apart, and the scene has 4; 2.00 m fits"),
             "{notes:?}"
         );
-        assert!(notes[1].starts_with("note: agent 0 stands within obstacle 0; "), "{notes:?}");
+        assert!(notes[1].starts_with("note: agents 0 and 1 stand 1.414 m apart, the nearest of 6 pairs, "), "{notes:?}");
+        assert!(notes[2].starts_with("note: agent 0 stands within obstacle 0; "), "{notes:?}");
     }
 }
 

@@ -10,7 +10,7 @@ pub enum RecordingError {
     )]
     Unrecognized,
     /// A recording that does not say how fast it is.
-    #[error("there is no frame rate; a line such as \"# framerate: 25.00 fps\" stands before the rows")]
+    #[error("there is no frame rate; give it in a line such as \"# framerate: 25.00 fps\" before the rows")]
     NoFrameRate,
     /// A recording without any time in it.
     #[error("the recording has one frame at the most; a motion has two or more")]

@@ -83,7 +83,7 @@ pub enum Blank {
 impl Display for Blank {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Transparent => f.write_str("all of it is transparent"),
+            Self::Transparent => f.write_str("all of it is transparent; take one in which something can be seen"),
             Self::Alike => f.write_str("all of it is alike, or nearly so; take one in which a shape stands out"),
             Self::Undivided { is_everything, threshold, better } => {
                 let taken = if *is_everything { "all" } else { "nothing" };
@@ -108,4 +108,11 @@ pub(super) fn there_are(what: &str, count: usize) -> String {
         0 => "the scene has none".to_owned(),
         count => format!("{what} are 0 to {}", count - 1),
     }
+}
+
+pub(super) fn two_slots(agent: u32, [first, second]: [u32; 2]) -> String {
+    if first == second {
+        return format!("agent {agent} is locked to slot {first} twice; once is enough");
+    }
+    format!("agent {agent} is locked to slots {first} and {second}; an agent has one")
 }

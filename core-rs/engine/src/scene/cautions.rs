@@ -2,16 +2,20 @@
 
 use glam::DVec3;
 
-use super::{Scene, Segment, Stage};
+use super::{Keyframe, Scene, Segment, Stage};
 use crate::choice::MethodName;
+use crate::formation::PairSearch;
 use crate::obstacle::{ObstacleShape, crossing_on_the_way};
 
 /// More agents in one obstacle are counted, not listed.
 const MOST_LISTED: usize = 5;
 
+/// Places are exact to a thousandth of this, meters: what avoidance lets pass.
+const ROUND_OFF: f64 = 1e-6;
+
 /// A sentence each: what, where and what helps.
 pub fn cautions(scene: &Scene) -> Vec<String> {
-    crowding(scene).into_iter().chain(covered(scene)).chain(crossed(scene)).chain(late(scene)).collect()
+    crowding(scene).into_iter().chain(too_near(scene)).chain(covered(scene)).chain(crossed(scene)).chain(late(scene)).collect()
 }
 
 /// A minimum distance that the stage cannot hold, for whoever stays on it: it is no wall.
@@ -50,6 +54,33 @@ fn widest_apart([width, depth]: [f64; 2], count: usize) -> f64 {
     };
     let widest = (1..=count).map(spacing).fold(0.0, f64::max);
     (widest * 100.0 + 1e-9).floor() / 100.0
+}
+
+/// Keyframes in which agents stand nearer to one another than the minimum distance.
+fn too_near(scene: &Scene) -> impl Iterator<Item = String> {
+    let least = scene.minimum_distance - ROUND_OFF;
+    let keyframes: &[Keyframe] = if least > 0.0 { &scene.main_track().keyframes } else { &[] };
+    keyframes.iter().enumerate().filter_map(move |(index, keyframe)| {
+        let places = keyframe.positions.places();
+        let is_there = |agent: u32| keyframe.absent.binary_search(&agent).is_err();
+        let (mut nearest, mut count) = ((f64::INFINITY, 0, 0), 0_usize);
+        PairSearch::default().for_each_within(places.plan(), least, |a, b, _| {
+            let distance = places.at(a as usize).distance(places.at(b as usize));
+            if distance < least && is_there(a) && is_there(b) {
+                count += 1;
+                nearest = if distance < nearest.0 { (distance, a, b) } else { nearest };
+            }
+        });
+        let (distance, a, b) = nearest;
+        let others = if count > 1 { format!(", the nearest of {count} pairs") } else { String::new() };
+        (count > 0).then(|| {
+            format!(
+                "agents {a} and {b} stand {distance:.3} m apart{others}, and the minimum distance is {} m; a keyframe is never changed, \
+                 so move them or lower the distance (keyframes[{index}])",
+                scene.minimum_distance
+            )
+        })
+    })
 }
 
 /// Keyframes that have agents within obstacles.
@@ -153,9 +184,23 @@ mod tests {
             cautions(&scene),
             [
                 "a stage of 8 × 3 m holds at most 1 agent 30 m apart, and the scene has 3; 4.00 m fits, or a larger stage (minimumDistance)",
+                "agents 0 and 1 stand 1.000 m apart, the nearest of 3 pairs, and the minimum distance is 30 m; a keyframe is never changed, \
+                 so move them or lower the distance (keyframes[0])",
                 "agents 0, 1 stand within obstacle 0; a keyframe is never changed, so move them or the obstacle (keyframes[0].positions[0])",
             ]
         );
+    }
+
+    #[test]
+    fn who_stands_too_near_is_told_save_for_who_is_absent() {
+        let told = |distance: f64, absent: &str| {
+            let text = format!(
+                r#"{{ "format": "eigenform", "version": 1, "minimumDistance": {distance},
+                    "keyframes": [{{ "positions": [[0, 0], [0.5, 0], [3, 0]], "absent": {absent} }}] }}"#
+            );
+            cautions(&crate::scene::read_json(&text).expect("it is a scene")).len()
+        };
+        assert_eq!([told(0.0, "[]"), told(0.5, "[]"), told(0.6, "[]"), told(0.6, "[2]"), told(0.6, "[1]")], [0, 0, 1, 1, 0]);
     }
 
     #[test]
