@@ -39,7 +39,9 @@ test("text and a dropped picture become formations of exactly the agents there a
   await studio.drop("script.svg", svg("<script>document.title = 'run'</script>"));
   await expect(says).toHaveText("script.svg has a script in it. Only shapes are drawn.");
   await studio.drop("blank.svg", svg('<path d="M 0 0 H 9" stroke="none" fill="none"/>'));
-  await expect(says).toHaveText("There is no shape in this picture: all of it is transparent; take one in which something can be seen.");
+  await expect(says).toHaveText(
+    "There is no shape in this picture: all of it is transparent; take one in which something can be seen.",
+  );
   await studio.drop("broken.png", "no picture at all");
   await expect(says).toHaveText(/^broken\.png cannot be read; PNG, JPEG, WebP and SVG can, up to 8,192/);
   await studio.drop("white.svg", svg('<path d="M -9 -9 H 99 V 99 H -9 Z" fill="white"/>'));
