@@ -32,7 +32,8 @@ impl Formation {
     /// By agent the squared distance to the nearest other, where it is among the `wanted` least; others may be infinite.
     fn nearest_squared(&self, wanted: usize) -> Vec<f64> {
         let agent_count = self.agent_count();
-        let (places, extent) = (self.places(), self.extent());
+        // A hair wider than the formation is: two agents are as far apart as it is wide, in another rounding.
+        let (places, extent) = (self.places(), self.extent() * (1.0 + 1e-9));
         let mut search = PairSearch::default();
         let mut nearest = vec![f64::INFINITY; agent_count];
         // What is found within the radius is final, so the radius grows only until it has found the middle.
@@ -85,6 +86,11 @@ mod tests {
     fn everybody_has_a_nearest_but_one_alone() {
         let row = Formation::from(vec![[0.0, 0.0], [1.0, 0.0], [3.0, 0.0], [9e4, 0.0]]);
         assert_eq!(row.nearest_distances(), [1.0, 1.0, 2.0, 9e4 - 3.0]);
+        // Two may be a rounding farther apart than the formation is wide.
+        for (x, y) in (1..100).map(|k| (f64::from(k) * 0.093, f64::from(k) * 0.037)) {
+            let pair = Formation::from(vec![[-4.9, 1.0], [x, y]]);
+            assert!(pair.nearest_distances().iter().all(|nearest| (nearest - pair.extent()).abs() < 1e-12), "{x}, {y}");
+        }
         assert_eq!(Formation::from(vec![[2.0, 2.0]]).nearest_distances(), [f64::INFINITY]);
         assert!(Formation::default().nearest_distances().is_empty());
     }

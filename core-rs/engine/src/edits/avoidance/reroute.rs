@@ -289,7 +289,8 @@ fn lead(paths: &mut Paths, agent: usize, outline: &Outline, [least, reach]: [f64
     true
 }
 
-/// Where one is on a new way, a knot each, who has covered as much of it as of the old one.
+/// Where one is on a new way, a knot each, who has covered as much of it as of the old one. Who stands still stays there, and so does who
+/// only has to be back where they were.
 pub(super) fn walked(old: &[DVec2], way: &[DVec2]) -> Vec<DVec2> {
     let lengths = |points: &[DVec2]| {
         let mut sum = 0.0;
@@ -302,6 +303,9 @@ pub(super) fn walked(old: &[DVec2], way: &[DVec2]) -> Vec<DVec2> {
     };
     let (old, new) = (lengths(old), lengths(way));
     let [whole, whole_new] = [old[old.len() - 1], new[new.len() - 1]];
+    if whole == 0.0 || way.len() == 1 {
+        return vec![way[0]; old.len()];
+    }
     let mut piece = 0;
     let place = |covered: &f64| {
         let target = covered / whole * whole_new;
@@ -324,5 +328,12 @@ mod tests {
         let old = [0.0, 1.0, 3.0, 4.0].map(|x| DVec2::new(x, 0.0));
         let way = [DVec2::ZERO, DVec2::new(0.0, 4.0), DVec2::new(4.0, 4.0)];
         assert_eq!(walked(&old, &way), [way[0], DVec2::new(0.0, 2.0), DVec2::new(2.0, 4.0), way[2]]);
+    }
+
+    #[test]
+    fn who_stands_or_returns_stays() {
+        let [here, there] = [DVec2::ONE, DVec2::new(5.0, 1.0)];
+        assert_eq!(walked(&[here; 3], &[here, there, here]), [here; 3]);
+        assert_eq!(walked(&[here, there, here], &[here]), [here; 3]);
     }
 }

@@ -134,6 +134,28 @@ fn a_crowd_goes_through_a_door_at_the_pace_of_a_crowd() {
     assert!(performed.motion.top_speed() < 3.0, "{}", performed.motion.top_speed());
 }
 
+#[test]
+fn who_stands_too_near_to_a_wall_and_who_only_returns_are_led_nowhere() {
+    let outlines = [outer(), across(2.0, &[[-4.0, -2.0]]), vec![wall([-1.0, -1.0], [1.0, 1.0])]].concat();
+    let obstacles: Vec<_> = outlines.iter().map(|outline| json!({ "kind": "polygon", "points": outline.points })).collect();
+    // One stands 0.2 m from the block in the middle; one goes around it, along a path, to where it began; two change places.
+    for path in [json!(null), json!([[-6.0, 0.0], [6.0, 0.0], [6.0, -5.0], [-6.0, 0.01]])] {
+        for method in ["linear", "spectral", "crowd"] {
+            let scene = json!({
+                "format": "eigenform", "version": 1, "minimumDistance": DISTANCE, "obstacles": obstacles,
+                "keyframes": [
+                    { "positions": [[0, 1.2], [-5, -3], [5, -3], [-4, 0]] },
+                    { "time": 8, "positions": [[0, 1.2], [5, -3], [-5, -3], [-4, 0]] }
+                ],
+                "segments": [{ "method": method, "path": path, "avoidance": true }]
+            });
+            let performance = perform(&read_json(&scene.to_string()).expect("the scene is valid")).expect("it can be performed");
+            let motion = &performance.segments()[0].motion;
+            assert!(motion.positions().iter().all(|place| place.is_finite()), "{method}, {path}");
+        }
+    }
+}
+
 /// A place in the room, clear of the wall across and of others by what is kept.
 fn places(count: usize) -> impl Strategy<Value = Vec<DVec2>> {
     let slots: Vec<DVec2> = [block(-5.0, 0.0, 8, 10), block(5.0, 0.0, 8, 10)].concat();
