@@ -18,11 +18,12 @@ import { keepScene, sayWhenNotKept } from "./files/keep";
 import { createReader, problemFrom, sentence } from "./files/reader";
 import type { Aside } from "./panels/aside";
 import { createActions } from "./panels/create-actions";
-import { createDialogs } from "./panels/dialogs/dialogs";
+import { createDialogs, type Dialogs } from "./panels/dialogs/dialogs";
+import { giveUp } from "./panels/dialogs/give-up";
 import type { ActionParts } from "./panels/doing";
 import { followPlayhead } from "./panels/follow-playhead";
 import { laterHandiwork } from "./panels/later-handiwork";
-import { lazily, sayNotLoaded } from "./panels/lazily";
+import { lazily } from "./panels/lazily";
 import { createMessages, NOT_LOADED } from "./panels/messages";
 import { mountPanels } from "./panels/mount";
 import { releaseFocus } from "./panels/release-focus";
@@ -133,16 +134,10 @@ function atDesk(act: (desk: Desk) => void): void {
   fetchDesk().then(act, () => messages.say(NOT_LOADED));
 }
 
-const DialogHost = lazily(
-  async () => {
-    const [{ DialogHost: Host }, { services }] = await Promise.all([import("./panels/dialogs/host"), fetchDesk()]);
-    return () => h(Host, { dialogs, services });
-  },
-  (studio) => {
-    sayNotLoaded(studio);
-    dialogs.close();
-  },
-);
+const DialogHost = lazily<{ dialogs: Dialogs }>(async () => {
+  const [{ DialogHost: Host }, { services }] = await Promise.all([import("./panels/dialogs/host"), fetchDesk()]);
+  return (props) => h(Host, { ...props, services });
+}, giveUp);
 
 const actionParts: ActionParts = {
   document: seen.document,
@@ -207,7 +202,7 @@ mountPanels(root, studio, {
   stageHost,
   savedText: autosave.words,
   Timeline,
-  Dialogs: () => (dialogs.shown.value ? h(DialogHost, {}) : null),
+  Dialogs: () => (dialogs.shown.value ? h(DialogHost, { dialogs }) : null),
 });
 
 /** The page is drawn; now it can be touched. */

@@ -1,7 +1,7 @@
 //! Places in shapes as the page calls them: a package of its own, which only those fetch who make a shape.
 //!
-//! Every function decodes, calls and encodes. A refusal is thrown as the JSON text `{code, what, where}`; anything else that is thrown is
-//! a trap, and the instance is dead.
+//! Every function decodes, calls and encodes. A refusal is thrown as the JSON text `{code, what, where}`, with `tooCrowded: {count,
+//! largest}` where so many agents do not fit; anything else that is thrown is a trap, and the instance is dead.
 
 use eigenform::error::Error;
 use eigenform::shape::{Picture, Reading, Region, Request, Room, SlotJob, Step, Style};
@@ -69,5 +69,9 @@ impl Shapes {
 }
 
 fn refusal(error: &Error) -> JsValue {
-    JsValue::from_str(&json!({ "code": error.code(), "what": error.to_string(), "where": error.place() }).to_string())
+    let mut refusal = json!({ "code": error.code(), "what": error.to_string(), "where": error.place() });
+    if let Error::TooCrowded { count, largest, .. } = error {
+        refusal["tooCrowded"] = json!({ "count": count, "largest": largest });
+    }
+    JsValue::from_str(&refusal.to_string())
 }

@@ -1,13 +1,14 @@
 import { computed, signal } from "@preact/signals";
-import type { Autosave } from "./autosave";
+import type { Autosave, SaveState } from "./autosave";
 import { DATABASE } from "./database";
 
 /** Words until there is something to keep, or where what keeps it could not be fetched. */
 const NOTHING_YET = "Nothing to save yet";
+const EMPTY: SaveState = { kind: "empty" };
 const UNREACHABLE = "Not saved yet: a part of the page did not load";
 
 /** Autosave as the page holds it: what is asked of it meanwhile is done when it comes. */
-export type LaterAutosave = Pick<Autosave, "words" | "changed" | "flush" | "restore">;
+export type LaterAutosave = Pick<Autosave, "state" | "words" | "changed" | "flush" | "restore">;
 
 /** Fetched when there is something to keep, or something that was kept: a first visit has neither. */
 export function laterAutosave(load: () => Promise<Autosave> = fetchAutosave): LaterAutosave {
@@ -32,6 +33,7 @@ export function laterAutosave(load: () => Promise<Autosave> = fetchAutosave): La
   }
 
   return {
+    state: computed(() => ready.value?.state.value ?? EMPTY),
     words: computed(() => ready.value?.words.value ?? (hasFailed.value ? UNREACHABLE : NOTHING_YET)),
     changed(write) {
       whenReady().then(

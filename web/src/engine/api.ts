@@ -15,6 +15,8 @@ export interface EngineProblem {
   readonly where: string;
   /** Where obstacles leave somebody no way. */
   readonly noWay?: NoWay;
+  /** Where a shape has no room for so many agents: how many it has room for. */
+  readonly tooCrowded?: { readonly count: number; readonly largest: number };
 }
 
 /** An agent that an obstacle shuts off from its place, and what ways keep from obstacles, meters. */

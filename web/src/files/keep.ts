@@ -1,19 +1,19 @@
-import { effect } from "@preact/signals";
+import { computed, effect } from "@preact/signals";
 import type { LaterAutosave } from "../document/later-autosave";
 import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import type { Engine } from "../engine/api";
 import type { Messages } from "../panels/messages";
 
-/** As autosave's words start when nothing is kept. */
-const NOT_SAVED = "Not saved: ";
+/** Why nothing is kept; what is only tried again goes without a word. */
+const WHY = { full: "Storage is full.", blocked: "The browser blocks storage.", unwritable: null } as const;
 
 /** Says it aloud when the scene cannot be kept, beside the words at its title, which a narrow page has no room for. */
-export function sayWhenNotKept({ words }: Pick<LaterAutosave, "words">, messages: Messages): void {
+export function sayWhenNotKept({ state }: Pick<LaterAutosave, "state">, messages: Messages): void {
+  const why = computed(() => (state.value.kind === "failed" ? WHY[state.value.why] : null));
   effect(() => {
-    if (!words.value.startsWith(NOT_SAVED)) return;
-    const why = words.value.slice(NOT_SAVED.length);
-    const text = `${why.charAt(0).toUpperCase()}${why.slice(1)}. Save it as a file, or share its link, to keep it.`;
+    if (!why.value) return;
+    const text = `${why.value} Save it as a file, or share its link, to keep it.`;
     messages.say({ tone: "problem", title: "The scene is not kept on this device.", text });
   });
 }

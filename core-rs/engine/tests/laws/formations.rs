@@ -17,6 +17,17 @@ pub fn ring(count: usize, radius: f64, start: f64) -> Vec<DVec2> {
     (0..count).map(|i| DVec2::from_angle(start + TAU * i as f64 / count as f64) * radius).collect()
 }
 
+/// Numbers from −10 to 10, the same for the same seed.
+pub fn chance(seed: u64) -> impl FnMut() -> f64 {
+    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+    move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64 * 20.0 - 10.0
+    }
+}
+
 /// Agents anywhere in a square of 20 m, on whole centimeters as the page snaps them.
 pub fn scattered(count: std::ops::Range<usize>) -> impl Strategy<Value = Vec<DVec2>> {
     vec((-1000i32..=1000, -1000i32..=1000).prop_map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)) / 100.0), count)

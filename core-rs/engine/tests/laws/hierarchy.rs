@@ -11,6 +11,7 @@ use glam::DVec2;
 use proptest::prelude::*;
 
 use crate::formations::grid;
+use crate::transition::cases::scattered;
 
 const METHODS: [MethodName; 4] = [MethodName::Linear, MethodName::Polar, MethodName::Shared, MethodName::Spectral];
 const SECONDS: f64 = 4.0;
@@ -34,18 +35,6 @@ fn scene(keyframes: &[Vec<DVec2>], groups: Vec<Group>, spec: &TransitionSpec, jo
 
 fn leaf(members: impl IntoIterator<Item = u32>) -> Group {
     Group { members: members.into_iter().collect(), ..Group::default() }
-}
-
-/// Agents at random in a square, the same for the same seed.
-fn scattered(count: u32, seed: u64) -> Vec<DVec2> {
-    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-    let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64 * 20.0 - 10.0
-    };
-    (0..count).map(|_| DVec2::new(next(), next())).collect()
 }
 
 /// Eighteen agents: two groups within one, a group beside it, two agents alone.

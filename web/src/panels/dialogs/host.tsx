@@ -1,9 +1,9 @@
 import type { ComponentType } from "preact";
-import { lazily, sayNotLoaded } from "../lazily";
+import { lazily } from "../lazily";
 import { IS_SAFE, Safely, WENT_WRONG } from "../safely";
-import type { Studio } from "../studio";
 import type { DialogRequest, Dialogs } from "./dialogs";
 import { Frame } from "./frame";
+import { giveUp } from "./give-up";
 import type { DialogServices } from "./services";
 
 /** What every dialog is given. */
@@ -15,12 +15,6 @@ export interface DialogProps<Request extends DialogRequest = DialogRequest> {
 
 type Kind = DialogRequest["kind"];
 type OfKind<K extends Kind> = Extract<DialogRequest, { readonly kind: K }>;
-
-/** A dialog that does not come is closed, so that the next wish for it tries again. */
-function giveUp(studio: Studio, { dialogs }: Pick<DialogProps, "dialogs">): void {
-  sayNotLoaded(studio);
-  dialogs.close();
-}
 
 const DIALOGS: { readonly [K in Kind]: ComponentType<DialogProps<OfKind<K>>> } = {
   share: lazily(() => import("./share").then((part) => part.ShareDialog), giveUp),

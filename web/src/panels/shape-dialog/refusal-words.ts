@@ -1,5 +1,5 @@
 import type { Units } from "../../document/scene";
-import { lengthWithUnit } from "../../document/units";
+import { formatCount, lengthWithUnit } from "../../document/units";
 import type { EngineProblem } from "../../engine/api";
 
 /**
@@ -9,8 +9,10 @@ import type { EngineProblem } from "../../engine/api";
  *
  * @param minimumDistance of the scene, meters
  */
-export function refusalWords({ what }: EngineProblem, minimumDistance: number, units: Units): string {
-  const asked = `${lengthWithUnit(minimumDistance, units)} apart, with a little to spare`;
-  const told = what.replace(/\d[\d.e-]* m apart/, asked);
-  return `${told.charAt(0).toUpperCase()}${told.slice(1)}.`;
+export function refusalWords({ what, tooCrowded }: EngineProblem, minimumDistance: number, units: Units): string {
+  if (!tooCrowded) return `${what.charAt(0).toUpperCase()}${what.slice(1)}.`;
+  const { count, largest } = tooCrowded;
+  const apart = `${lengthWithUnit(minimumDistance, units)} apart, with a little to spare`;
+  const fitting = `${formatCount(largest)} ${largest === 1 ? "does" : "do"}`;
+  return `${formatCount(count)} agents do not fit ${apart}; ${fitting}. Ask for fewer, a larger shape or a smaller minimum distance.`;
 }

@@ -38,19 +38,17 @@ export function drawClashes(
 }
 
 function drawHeap(context: CanvasRenderingContext2D, frame: Frame, clashes: ClashFinder): void {
-  const { palette, points, radius } = frame;
+  const { palette, points } = frame;
   const count = Math.min(clashes.count, MOST_LINKS);
   context.beginPath();
   for (let k = 0; k < count; k += 1) {
-    const { a, b } = clashes.found[k] ?? { a: 0, b: 0 };
+    const clash = clashes.found[k];
+    if (!clash) continue;
+    const { a, b } = clash;
     context.moveTo(points[2 * a] ?? 0, points[2 * a + 1] ?? 0);
     context.lineTo(points[2 * b] ?? 0, points[2 * b + 1] ?? 0);
-    for (const agent of [a, b]) {
-      const x = points[2 * agent] ?? 0;
-      const y = points[2 * agent + 1] ?? 0;
-      context.moveTo(x + radius + GAP / 2, y);
-      context.arc(x, y, radius + GAP / 2, 0, 2 * Math.PI);
-    }
+    traceTight(context, frame, a);
+    traceTight(context, frame, b);
   }
   context.lineWidth = 2;
   context.strokeStyle = palette.clash;
@@ -59,6 +57,14 @@ function drawHeap(context: CanvasRenderingContext2D, frame: Frame, clashes: Clas
     const clash = clashes.found[k];
     if (clash) drawPair(context, frame, clash);
   }
+}
+
+/** A ring close about one agent, added to the path. */
+function traceTight(context: CanvasRenderingContext2D, { points, radius }: Frame, agent: number): void {
+  const x = points[2 * agent] ?? 0;
+  const y = points[2 * agent + 1] ?? 0;
+  context.moveTo(x + radius + GAP / 2, y);
+  context.arc(x, y, radius + GAP / 2, 0, 2 * Math.PI);
 }
 
 function drawRing(context: CanvasRenderingContext2D, frame: Frame, clash: Clash, minimum: number): void {

@@ -4,7 +4,7 @@ use eigenform_apart::Paths;
 
 use super::breaches::Breach;
 use super::obstacles::Blocked;
-use super::open::{open_blocks, open_count};
+use super::open::{open_blocks, open_clashes};
 use super::problem::Problem;
 use super::sampling::lengths;
 use super::shut::ShutOff;
@@ -33,9 +33,9 @@ impl Attempt {
         let motion = moved(&problem.guide, &deviation);
         let clashes = clashes(&motion, problem.avoidance.minimum_distance - SLACK);
         let blocked = problem.avoidance.blocked(&motion, SLACK);
-        let open_count =
-            open_count(&clashes, &problem.breaches, &motion) + open_blocks(&blocked, &problem.breaches, &problem.shut_off).count();
-        let through_count = open_blocks(&blocked, &problem.breaches, &problem.shut_off).filter(|at| at.distance < 0.0).count();
+        let blocks = || open_blocks(&blocked, &problem.breaches, &problem.shut_off);
+        let open_count = open_clashes(&clashes, &problem.breaches, &motion).count() + blocks().count();
+        let through_count = blocks().filter(|at| at.distance < 0.0).count();
         Self { rung, deviation, motion, clashes, blocked, open_count, through_count }
     }
 

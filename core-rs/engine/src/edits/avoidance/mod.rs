@@ -95,6 +95,11 @@ impl AvoidanceReport {
         self.unsolved.is_empty() && self.blocked.is_empty() && self.breaches.is_empty()
     }
 
+    /// Who comes too near on the way in the motion that this is of: what no keyframe is to blame for.
+    pub fn unsolved_on_the_way(&self, motion: &Motion) -> impl Iterator<Item = &Approach> {
+        open::open_clashes(&self.unsolved, &self.breaches, motion)
+    }
+
     /// Who is blocked on the way: whom neither a keyframe nor what shuts them off has to blame.
     pub fn blocked_on_the_way(&self) -> impl Iterator<Item = &Blocked> {
         open::open_blocks(&self.blocked, &self.breaches, &self.shut_off)

@@ -13,15 +13,15 @@ pub(super) fn open_blocks<'a>(blocked: &'a [Blocked], breaches: &[Breach], shut_
 }
 
 /// Clashes of pairs that no keyframe has too near, in the sixth next to it.
-pub(super) fn open_count(clashes: &[Approach], breaches: &[Breach], motion: &Motion) -> usize {
+pub(super) fn open_clashes<'a>(clashes: &'a [Approach], breaches: &[Breach], motion: &Motion) -> impl Iterator<Item = &'a Approach> {
     let times = motion.times();
     let (start, end) = (times[0], times[times.len() - 1]);
-    let is_excused = |clash: &Approach| {
+    let is_excused = move |clash: &Approach| {
         let fraction = (clash.time - start) / (end - start);
         breaches.iter().any(|breach| {
             let is_pair = breach.other == Other::Agent(clash.agents.1) && breach.agent == clash.agents.0;
             is_pair && if breach.end == 0 { fraction <= 1.0 / 6.0 } else { fraction >= 5.0 / 6.0 }
         })
     };
-    clashes.iter().filter(|clash| !is_excused(clash)).count()
+    clashes.iter().filter(move |clash| !is_excused(clash))
 }

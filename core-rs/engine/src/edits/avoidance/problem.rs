@@ -3,7 +3,7 @@
 use super::breaches::Breach;
 use super::meetings::Lister;
 use super::obstacles::Blocked;
-use super::open::{open_blocks, open_count};
+use super::open::{open_blocks, open_clashes};
 use super::rungs::Ways;
 use super::shut::{ShutOff, survey};
 use super::{Avoidance, AvoidanceReport, BREACH_LIMIT, judge};
@@ -46,8 +46,8 @@ impl Problem {
 
     /// Whether somebody comes too near whom no keyframe is to blame for, and can be moved.
     pub(super) fn can_be_mended(&self) -> bool {
-        let is_open =
-            open_count(&self.clashes, &self.breaches, &self.guide) + open_blocks(&self.blocked, &self.breaches, &self.shut_off).count() > 0;
+        let is_open = open_clashes(&self.clashes, &self.breaches, &self.guide).next().is_some()
+            || open_blocks(&self.blocked, &self.breaches, &self.shut_off).next().is_some();
         // Three samples have one between the keyframes; a bump needs two.
         is_open && self.ways.mean > 0.0 && self.guide.times().len() >= 4 && self.breaches.len() < BREACH_LIMIT
     }

@@ -27,7 +27,8 @@ pub(super) fn survey(guide: &Motion, blocked: &[Blocked], obstacles: &[Outline],
     if blocked.is_empty() {
         return (Vec::new(), 0.0);
     }
-    let Some(detours) = surveyed(obstacles, distance) else { return (Vec::new(), f64::INFINITY) };
+    let shapes = shapes(obstacles);
+    let Some(detours) = surveyed(&shapes, distance) else { return (Vec::new(), f64::INFINITY) };
     let last = guide.times().len() - 1;
     let (mut shut, mut longest) = (Vec::<ShutOff>::new(), 0.0);
     let mut asked = None;
@@ -35,7 +36,7 @@ pub(super) fn survey(guide: &Motion, blocked: &[Blocked], obstacles: &[Outline],
         let [from, to] = [0, last].map(|k| guide.sample(k)[*agent as usize]);
         let way = detours.way(from, to);
         if way.is_none() {
-            let obstacle = detours.barrier(&shapes(obstacles), distance, [from, to]) as u32;
+            let obstacle = detours.barrier(&shapes, distance, [from, to]) as u32;
             shut.push(ShutOff { agent: *agent, obstacle, distance });
         }
         longest = way.unwrap_or_default().windows(2).map(|piece| piece[0].distance(piece[1])).sum::<f64>().max(longest);
@@ -44,8 +45,8 @@ pub(super) fn survey(guide: &Motion, blocked: &[Blocked], obstacles: &[Outline],
 }
 
 /// Every way around obstacles at a distance; none where there are too many.
-pub(super) fn surveyed(obstacles: &[Outline], distance: f64) -> Option<Detours> {
-    let mut detours = Detours::new(&shapes(obstacles), distance);
+pub(super) fn surveyed(shapes: &[ObstacleShape], distance: f64) -> Option<Detours> {
+    let mut detours = Detours::new(shapes, distance);
     if detours.bend_count() > MOST_BENDS {
         return None;
     }
@@ -53,7 +54,8 @@ pub(super) fn surveyed(obstacles: &[Outline], distance: f64) -> Option<Detours> 
     Some(detours)
 }
 
-fn shapes(obstacles: &[Outline]) -> Vec<ObstacleShape> {
+/// Obstacles as those know them who go around.
+pub(super) fn shapes(obstacles: &[Outline]) -> Vec<ObstacleShape> {
     obstacles.iter().map(shape).collect()
 }
 

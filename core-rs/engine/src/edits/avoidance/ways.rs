@@ -4,7 +4,7 @@ use eigenform_apart::Paths;
 use glam::DVec2;
 
 use super::reroute::{is_blocked, smooth, walked};
-use super::shut::surveyed;
+use super::shut::{shapes, surveyed};
 use super::{Avoidance, at};
 
 /// Beyond the minimum distance, of it: room for the smoothing, or as much of it as leaves a way.
@@ -14,11 +14,12 @@ const MARGINS: [f64; 3] = [0.3, 0.08, 0.0];
 pub(super) fn lead_each(paths: &mut Paths, avoidance: &Avoidance, free: &[usize]) {
     let Avoidance { obstacles, minimum_distance: distance, .. } = avoidance;
     let (guide, last) = (paths.clone(), paths.knot_count() - 1);
+    let shapes = shapes(obstacles);
     let mut is_moved = vec![false; paths.agent_count()];
     let is_in_the_way = |agent: &usize| obstacles.iter().any(|outline| is_blocked(&guide, *agent, outline, *distance));
     let mut left: Vec<usize> = free.iter().copied().filter(is_in_the_way).collect();
     for margin in MARGINS {
-        let detours = if left.is_empty() { None } else { surveyed(obstacles, distance * (1.0 + margin)) };
+        let detours = if left.is_empty() { None } else { surveyed(&shapes, distance * (1.0 + margin)) };
         let Some(detours) = detours else { break };
         left.retain(|&agent| {
             let places: Vec<DVec2> = (0..=last).map(|knot| at(&guide, agent, knot)).collect();

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::choice::{Choice, MethodName};
-use crate::edits::{AvoidanceReport, Breach, Other};
+use crate::edits::AvoidanceReport;
 use crate::motion::{Approach, Motion};
 
 /// A next step for the person.
@@ -46,7 +46,7 @@ const LEAST_DISTANCE: f64 = 0.1;
 pub(super) fn suggestions(report: &AvoidanceReport, motion: &Motion, choice: &Choice, minimum_distance: f64) -> Vec<Suggestion> {
     let distances = report.unsolved.iter().map(|clash| clash.distance).chain(report.blocked_on_the_way().map(|at| at.distance));
     let nearest = distances.fold(f64::INFINITY, f64::min);
-    let on_the_way = || report.unsolved.iter().filter(|clash| !is_of_a_keyframe(clash, &report.breaches));
+    let on_the_way = || report.unsolved_on_the_way(motion);
     let meetings = on_the_way().map(|clash| (clash.distance, clash.time));
     let all = meetings.chain(report.blocked_on_the_way().map(|at| (at.distance, at.time)));
     let Some((_, time)) = all.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Vec::new() };
@@ -70,11 +70,6 @@ pub(super) fn suggestions(report: &AvoidanceReport, motion: &Motion, choice: &Ch
     suggestions
 }
 
-/// Whether a keyframe has these two too near already: nothing that changes the way between helps them.
-fn is_of_a_keyframe(clash: &Approach, breaches: &[Breach]) -> bool {
-    breaches.iter().any(|breach| breach.agent == clash.agents.0 && breach.other == Other::Agent(clash.agents.1))
-}
-
 /// By how much the sum of squared ways shrinks when two swap their places in the target, m².
 fn swap_gain(motion: &Motion, clash: &Approach) -> f64 {
     let [source, target] = [motion.places(0), motion.places(motion.times().len() - 1)];
@@ -89,7 +84,7 @@ mod tests {
 
     use super::*;
     use crate::choice::{Alignment, Order};
-    use crate::edits::{Blocked, ShutOff};
+    use crate::edits::{Blocked, Breach, Other, ShutOff};
 
     #[test]
     fn two_who_cross_are_offered_to_swap_before_anything_else() {
@@ -108,9 +103,12 @@ mod tests {
         ];
         assert_eq!(suggestions(&report, &motion, &choice, 0.5), expected);
         assert_eq!(suggestions(&AvoidanceReport::default(), &motion, &choice, 0.5), []);
-        // The two stand too near in a keyframe: nothing on the way mends that.
+        // The two stand too near in a keyframe: nothing on the way mends that, but where they cross before it.
         let breaches = vec![Breach { end: 1, agent: 0, other: Other::Agent(1), distance: 0.3 }];
-        assert_eq!(suggestions(&AvoidanceReport { breaches, ..report }, &motion, &choice, 0.5), []);
+        let report = AvoidanceReport { breaches, ..report };
+        assert_eq!(suggestions(&report, &motion, &choice, 0.5), expected);
+        let unsolved = vec![Approach { time: 1.0, ..clash }];
+        assert_eq!(suggestions(&AvoidanceReport { unsolved, ..report }, &motion, &choice, 0.5), []);
         // An obstacle in the way: a swap and other places are no help, a keyframe where it is nearest is.
         let blocked = vec![Blocked { distance: -0.2, time: 0.7, agent: 1, obstacle: 0 }];
         let report = AvoidanceReport { blocked, ..AvoidanceReport::default() };

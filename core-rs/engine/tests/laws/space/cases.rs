@@ -4,15 +4,16 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use eigenform::adjacency::{AdjacencySpec, build};
-use eigenform::choice::{Alignment, Choice, MethodName, Order};
+use eigenform::choice::Choice;
 use eigenform::formation::Formation;
 use eigenform::transition::{Chain, End, Planner, Way, Ways};
 use glam::{DQuat, DVec2, DVec3};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-pub const ORDERS: [Order; 4] = [Order::Eigenvalue, Order::Greedy, Order::Maxmin, Order::Hungarian];
-pub const ALIGNMENTS: [Alignment; 3] = [Alignment::None, Alignment::Pca, Alignment::Procrustes];
+use crate::formations::chance;
+use crate::transition::cases::choices_sharing;
+
 pub const SHARINGS: [f64; 2] = [0.0, 0.5];
 
 pub fn formation(points: &[DVec3]) -> Formation {
@@ -30,15 +31,7 @@ pub fn chain(source: &Formation, target: &Formation) -> Chain {
 
 /// Every method with every option that it knows.
 pub fn choices() -> Vec<Choice> {
-    let plain = |method, alignment| Choice { method, order: Order::Greedy, alignment, sharing: 0.0 };
-    let mut all = vec![plain(MethodName::Linear, Alignment::None)];
-    for alignment in ALIGNMENTS {
-        all.extend([plain(MethodName::Polar, alignment), plain(MethodName::Shared, alignment)]);
-        for order in ORDERS {
-            all.extend(SHARINGS.map(|sharing| Choice { method: MethodName::Spectral, order, alignment, sharing }));
-        }
-    }
-    all
+    choices_sharing(&SHARINGS)
 }
 
 /// Places at each t, one row a t.
@@ -88,13 +81,7 @@ pub fn helix(count: usize) -> Vec<DVec3> {
 
 /// Agents at random in a box of 20 m, the same for the same seed.
 pub fn scattered(count: usize, seed: u64) -> Vec<DVec3> {
-    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-    let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64 * 20.0 - 10.0
-    };
+    let mut next = chance(seed);
     (0..count).map(|_| DVec3::new(next(), next(), next())).collect()
 }
 

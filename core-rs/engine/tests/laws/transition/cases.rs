@@ -1,6 +1,5 @@
 //! Pairs of formations that break careless code, every choice there is, and how far apart two motions are.
 
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use eigenform::adjacency::{AdjacencySpec, build};
@@ -8,6 +7,10 @@ use eigenform::choice::{Alignment, Choice, MethodName, Order};
 use eigenform::formation::Formation;
 use eigenform::transition::{Chain, End, Planner, Way, Ways};
 use glam::DVec2;
+
+pub use crate::formations::{grid, ring};
+
+use crate::formations::chance;
 
 pub const ORDERS: [Order; 4] = [Order::Eigenvalue, Order::Greedy, Order::Maxmin, Order::Hungarian];
 pub const ALIGNMENTS: [Alignment; 3] = [Alignment::None, Alignment::Pca, Alignment::Procrustes];
@@ -51,12 +54,17 @@ pub struct Planned {
 
 /// Every method with every option that it knows.
 pub fn choices() -> Vec<Choice> {
+    choices_sharing(&SHARINGS)
+}
+
+/// Those of some sharings.
+pub fn choices_sharing(sharings: &[f64]) -> Vec<Choice> {
     let plain = |method, alignment| Choice { method, order: Order::Greedy, alignment, sharing: 0.0 };
     let mut all = vec![plain(MethodName::Linear, Alignment::None)];
     for alignment in ALIGNMENTS {
         all.extend([plain(MethodName::Polar, alignment), plain(MethodName::Shared, alignment)]);
         for order in ORDERS {
-            all.extend(SHARINGS.map(|sharing| Choice { method: MethodName::Spectral, order, alignment, sharing }));
+            all.extend(sharings.iter().map(|&sharing| Choice { method: MethodName::Spectral, order, alignment, sharing }));
         }
     }
     all
@@ -76,27 +84,13 @@ pub fn farthest(p: &[DVec2], q: &[DVec2]) -> f64 {
     p.iter().zip(q).map(|(p, q)| if p.is_finite() && q.is_finite() { p.distance(*q) } else { f64::INFINITY }).fold(0.0, f64::max)
 }
 
-pub fn ring(count: usize, radius: f64, start: f64) -> Vec<DVec2> {
-    (0..count).map(|i| DVec2::from_angle(start + TAU * i as f64 / count as f64) * radius).collect()
-}
-
-pub fn grid(columns: usize, rows: usize) -> Vec<DVec2> {
-    (0..columns * rows).map(|i| DVec2::new((i % columns) as f64, (i / columns) as f64)).collect()
-}
-
 pub fn line(count: usize, step: DVec2) -> Vec<DVec2> {
     (0..count).map(|i| step * i as f64).collect()
 }
 
 /// Agents at random in a square of 20 m, the same for the same seed.
 pub fn scattered(count: usize, seed: u64) -> Vec<DVec2> {
-    let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
-    let mut next = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state >> 11) as f64 / (1_u64 << 53) as f64 * 20.0 - 10.0
-    };
+    let mut next = chance(seed);
     (0..count).map(|_| DVec2::new(next(), next())).collect()
 }
 
