@@ -78,3 +78,19 @@ test("a formation with fewer places leaves a rest, who stay as the person says",
   });
   expect(stays).toHaveLength(gone);
 });
+
+test("modes are of who stands there", async ({ studio, page }) => {
+  await studio.makeShow();
+  await studio.keyframes.first().click();
+  await studio.tool("Select").click();
+  await studio.click(LEFT);
+  await studio.inspector.getByRole("checkbox", { name: /^Absent here/ }).check();
+  await page.keyboard.press("Escape");
+  await studio.keyframes.first().click();
+  await studio.inspector.getByRole("button", { name: "Modes" }).click();
+  const panel = page.getByRole("region", { name: "Modes", exact: true });
+  await expect(panel).toContainText("Mode 2 of 11");
+  await panel.getByRole("slider", { name: "Modes" }).press("End");
+  await expect(panel).toContainText("Mode 11 of 11");
+  await expect(panel).toContainText("exact");
+});

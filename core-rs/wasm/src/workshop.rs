@@ -94,9 +94,11 @@ impl Engine {
         movement(self.done())
     }
 
-    /// The eigenbasis of a keyframe: all eigenvalues, ascending, then the first `most` modes beside the constant one, an entry an agent.
+    /// The eigenbasis of those who stand in a keyframe: all eigenvalues, ascending, then the first `most` modes beside the constant one,
+    /// an entry each.
     pub fn modes(&mut self, keyframe: usize, most: usize) -> Result<Vec<f64>, Refusal> {
-        Ok(modes(&*self.performer.eigenbasis(at_hand(self.scene.as_ref()), keyframe)?, most))
+        let (basis, _) = self.performer.eigenbasis(at_hand(self.scene.as_ref()), keyframe)?;
+        Ok(modes(&basis, most))
     }
 
     /// How alike the modes at both ends of a segment are: of the first `most` source modes a row of one number a target mode, then

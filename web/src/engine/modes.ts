@@ -1,7 +1,8 @@
-import type { Scene } from "../document/scene";
+import { presentAt, walkersOf } from "../document/absence";
+import { mainTrack, type Scene } from "../document/scene";
 import type { Solo } from "./solo";
 
-/** The eigenbasis of a keyframe's ties, as far as it is shown. Mode 0 is the constant one, which is not stored. */
+/** The eigenbasis of those who stand in a keyframe, as far as it is shown. Mode 0 is the constant one, which is not stored. */
 export class ModeBasis {
   readonly agentCount: number;
   /** Modes that are there, the constant one included. */
@@ -61,7 +62,7 @@ export class ModeMatch {
 /** Modes of a keyframe, `most` beside the constant one. */
 export async function askModes(solo: Solo, scene: Scene, keyframe: number, most: number): Promise<ModeBasis> {
   const numbers = await solo.ask("modes", (link) => ({ scene: link.ledger.message(scene), keyframe, most }));
-  const agentCount = scene.tracks[0]?.agents.length ?? 0;
+  const agentCount = presentAt(mainTrack(scene), keyframe).length;
   return new ModeBasis(numbers.subarray(0, agentCount), numbers.subarray(agentCount));
 }
 
@@ -70,6 +71,8 @@ export interface ModesBetween {
   readonly match: ModeMatch;
   /** All eigenvalues, ascending, at t = 0, 1/steps, …, 1; empty for 0 steps. */
   readonly eigenvalues: Float64Array;
+  /** How many there are at each instant: one for everybody on the way. */
+  readonly modeCount: number;
 }
 
 export async function askModesBetween(
@@ -84,6 +87,6 @@ export async function askModesBetween(
     most,
     steps,
   }));
-  const agentCount = scene.tracks[0]?.agents.length ?? 0;
-  return { match: new ModeMatch(Math.max(0, agentCount - 1), match), eigenvalues };
+  const modeCount = walkersOf(mainTrack(scene), segment).length;
+  return { match: new ModeMatch(Math.max(0, modeCount - 1), match), eigenvalues, modeCount };
 }

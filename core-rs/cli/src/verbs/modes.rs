@@ -57,7 +57,7 @@ pub fn run(arguments: &Modes) -> Result<Vec<String>, Failure> {
     let formation = &*scene.main_track().keyframes[keyframe].positions;
     let mut performer = Performer::default();
     let adjacency = performer.graph(&scene, keyframe)?;
-    let (basis, there) = performer.eigenbasis_there(&scene, keyframe)?;
+    let (basis, there) = performer.eigenbasis(&scene, keyframe)?;
     let report = Report {
         eigenvalues: basis.eigenvalues().to_vec(),
         ties: adjacency.ties().iter().map(|tie| (tie.a, tie.b, tie.weight)).collect(),

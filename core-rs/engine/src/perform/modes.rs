@@ -10,14 +10,9 @@ use crate::spectral::{Eigenbasis, ModeMatch, eigenvalues_between};
 use crate::transition::{Chain, End};
 
 impl Performer {
-    /// The eigenbasis of a keyframe's ties, kept for the motions that need it. Who is absent there has a mode alone, of eigenvalue 0.
-    pub fn eigenbasis(&mut self, scene: &Scene, keyframe: usize) -> Result<Arc<Eigenbasis>, Error> {
-        let adjacency = self.graph(scene, keyframe)?;
-        Ok(self.planner.eigenbasis(&adjacency))
-    }
-
-    /// The eigenbasis of those who stand in a keyframe, and their numbers, ascending: an entry of each mode is theirs in this order.
-    pub fn eigenbasis_there(&mut self, scene: &Scene, keyframe: usize) -> Result<(Arc<Eigenbasis>, Arc<Vec<u32>>), Error> {
+    /// The eigenbasis of those who stand in a keyframe, kept for the motions that need it, and their numbers, ascending: an entry of
+    /// each mode is theirs in this order.
+    pub fn eigenbasis(&mut self, scene: &Scene, keyframe: usize) -> Result<(Arc<Eigenbasis>, Arc<Vec<u32>>), Error> {
         let everybody = || Arc::new((0..scene.main_track().agents.len() as u32).collect());
         let (adjacency, there) = match self.casting.standing(scene, keyframe) {
             None => (self.graphs.of(scene, keyframe)?, everybody()),

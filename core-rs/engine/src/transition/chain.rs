@@ -169,15 +169,20 @@ impl Chain {
     /// What the ways from the keyframe before and to the one after contribute to the velocity at `end`, per second (Catmull-Rom,
     /// for uneven times). At a stop the keyframe itself takes the missing one's place, as paper A duplicates it.
     pub(super) fn pace(&self, end: usize) -> [f64; 2] {
+        self.tensest_pace(end).map(|pace| self.tension * pace)
+    }
+
+    /// The same where the tension is 1.
+    pub(super) fn tensest_pace(&self, end: usize) -> [f64; 2] {
         let before = end.checked_sub(1).map(|pair| self.durations[pair]);
         let after = self.durations.get(end).copied();
         match (before, after) {
-            (Some(b), Some(a)) => {
-                let scale = 2.0 * self.tension / (b + a);
-                [scale * a / b, scale * b / a]
+            (Some(before), Some(after)) => {
+                let share = share_of_velocity(before, after);
+                [2.0 * share / before, 2.0 * (1.0 - share) / after]
             }
-            (Some(b), None) => [self.tension / b, 0.0],
-            (None, Some(a)) => [0.0, self.tension / a],
+            (Some(before), None) => [1.0 / before, 0.0],
+            (None, Some(after)) => [0.0, 1.0 / after],
             (None, None) => [0.0; 2],
         }
     }
@@ -190,6 +195,19 @@ impl Chain {
         let leaving = if after == 0.0 { DVec3::ZERO } else { after * (place(end + 1) - here) };
         arriving + leaving
     }
+}
+
+/// How much the mean velocity of a segment of `own` seconds counts, 0–1, where it meets one of `other` seconds.
+///
+/// The parabola through three keyframes goes by the shorter segment, whose velocity is far too much for a longer one: its agents
+/// would run on for the time of their whole way. Beyond `MOST_UNEVEN` a short segment counts the less the shorter it is, so that
+/// what it asks of the long one no longer grows. An even velocity stays as it is: both shares make 1.
+fn share_of_velocity(own: f64, other: f64) -> f64 {
+    const MOST_UNEVEN: f64 = 3.0;
+    const OF_SHORTER: f64 = MOST_UNEVEN * MOST_UNEVEN / (1.0 + MOST_UNEVEN);
+    let ratio = own.max(other) / own.min(other);
+    let of_shorter = if ratio > MOST_UNEVEN { OF_SHORTER / ratio } else { ratio / (1.0 + ratio) };
+    if own < other { of_shorter } else { 1.0 - of_shorter }
 }
 
 /// How agents move in one segment: a method with its options.

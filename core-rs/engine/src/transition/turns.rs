@@ -80,8 +80,8 @@ impl Planner {
         let before = self.rest(chain, end - 1, choice)?;
         let after = self.rest(chain, end, choice)?;
         // The share without the tension, which may be 0.
-        let [b, a] = [chain.duration(end - 1), chain.duration(end)].map(|duration| duration * duration);
-        let share = b / (a + b);
+        let [slow_share, fast_share] = chain.tensest_pace(end);
+        let share = fast_share / (slow_share + fast_share);
         let recipe = Recipe::Halfway { before: Same(before.clone()), after: Same(after.clone()), share };
         let planes = self.planes(chain, recipe, &|| {
             let (after, before) = (after.logarithm(), before.logarithm());

@@ -158,18 +158,18 @@ fn nobody_is_tied_to_who_is_absent() {
 fn modes_are_of_who_is_there() {
     let [mut with, without] = [show(MethodName::Linear, [&[6, 7]; 3]), without(MethodName::Linear)];
     for keyframe in 0..3 {
-        let basis = |scene: &Scene| Performer::default().eigenbasis_there(scene, keyframe).expect("few ties");
+        let basis = |scene: &Scene| Performer::default().eigenbasis(scene, keyframe).expect("few ties");
         let [(one, there), (other, everybody)] = [basis(&with), basis(&without)];
         assert_eq!((one.eigenvalues(), one.modes()), (other.eigenvalues(), other.modes()));
         assert_eq!((&**there, &**everybody), (&[0, 1, 2, 3, 4, 5][..], &[0, 1, 2, 3, 4, 5][..]));
     }
     with.tracks[0].keyframes[1].absent = vec![0, 2];
-    let (basis, there) = Performer::default().eigenbasis_there(&with, 1).expect("few ties");
+    let (basis, there) = Performer::default().eigenbasis(&with, 1).expect("few ties");
     assert_eq!((basis.agent_count(), &**there), (6, &[1, 3, 4, 5, 6, 7][..]));
     // One piece, one mode of nothing: Delaunay ties reach everybody.
     assert!(basis.eigenvalues()[1] > 1e-6, "{:?}", basis.eigenvalues());
     with.tracks[0].keyframes[1].absent = (0..8).collect();
-    let (basis, there) = Performer::default().eigenbasis_there(&with, 1).expect("few ties");
+    let (basis, there) = Performer::default().eigenbasis(&with, 1).expect("few ties");
     assert_eq!((basis.agent_count(), there.len()), (0, 0));
 }
 

@@ -26,7 +26,7 @@ fn diagonal(matched: &ModeMatch, order: usize) -> Vec<f64> {
 fn a_formation_is_the_sum_of_its_modes() {
     let scene = show();
     let formation = &scene.main_track().keyframes[0].positions;
-    let basis = Performer::default().eigenbasis(&scene, 0).expect("nine agents have modes");
+    let (basis, _) = Performer::default().eigenbasis(&scene, 0).expect("nine agents have modes");
     let center = formation.barycenter();
     for (agent, place) in formation.positions().iter().enumerate() {
         let parts = basis.coefficients(formation).into_iter().zip(basis.modes().row(agent).iter()).map(|(c, e)| c.truncate() * *e);
@@ -72,7 +72,7 @@ fn eigenvalues_on_the_way_start_and_end_as_those_of_the_keyframes() {
     let between = performer.eigenvalues_between(&scene, 1, 4).expect("both ends have ties");
     assert_eq!(between.len(), 5);
     for (at, keyframe) in [(0, 1), (4, 2)] {
-        let expected = performer.eigenbasis(&scene, keyframe).expect("nine agents have modes");
+        let (expected, _) = performer.eigenbasis(&scene, keyframe).expect("nine agents have modes");
         // Alone and beside their vectors they are found in two ways: each is good to a small multiple of eps times the greatest.
         for (found, expected) in between[at].iter().zip(expected.eigenvalues()) {
             assert!((found - expected).abs() <= 8.0 * 9.0 * f64::EPSILON * between[at][8], "{found} {expected}");

@@ -58,7 +58,7 @@ fn figure_2_is_bisected_by_three_cuts() {
     let scene = example("six-modes");
     let mut performer = Performer::default();
     let adjacency = performer.graph(&scene, 0).expect("six agents are tied");
-    let basis = performer.eigenbasis(&scene, 0).expect("six agents have modes");
+    let (basis, _) = performer.eigenbasis(&scene, 0).expect("six agents have modes");
     let first = basis.modes().col(0);
     let cut = adjacency.ties().iter().filter(|tie| first[tie.a as usize] * first[tie.b as usize] < 0.0).count();
     assert_eq!((cut, adjacency.ties().len()), (3, 9));

@@ -6,29 +6,29 @@ const WIDTH = 272;
 const HEIGHT = 132;
 
 /** Every eigenvalue as a line over the transition's time, with the playhead. */
-export function BetweenPlot(props: { eigenvalues: Float64Array; agentCount: number; segment: number }) {
+export function BetweenPlot(props: { eigenvalues: Float64Array; modeCount: number; segment: number }) {
   const { document } = useStudio();
-  const { eigenvalues, agentCount, segment } = props;
+  const { eigenvalues, modeCount, segment } = props;
   const keyframes = mainTrack(document.scene.value).keyframes;
   const from = (keyframes[segment]?.time ?? 0) + (keyframes[segment]?.hold ?? 0);
   const to = keyframes[segment + 1]?.time ?? from;
   return (
     <svg class="between" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} aria-hidden="true">
-      <path d={linesOf(eigenvalues, agentCount)} />
+      <path d={linesOf(eigenvalues, modeCount)} />
       <PlotNow from={from} to={to} width={WIDTH} height={HEIGHT} />
     </svg>
   );
 }
 
 /** SVG path data, a line a mode; the constant mode's is the lower edge. */
-export function linesOf(eigenvalues: Float64Array, agentCount: number): string {
-  const instants = eigenvalues.length / agentCount;
+export function linesOf(eigenvalues: Float64Array, modeCount: number): string {
+  const instants = eigenvalues.length / modeCount;
   const greatest = Math.max(...eigenvalues, 1e-9);
   let path = "";
-  for (let mode = 0; mode < agentCount; mode += 1) {
+  for (let mode = 0; mode < modeCount; mode += 1) {
     for (let instant = 0; instant < instants; instant += 1) {
       const x = (WIDTH * instant) / Math.max(1, instants - 1);
-      const y = HEIGHT - 1 - (HEIGHT - 3) * ((eigenvalues[instant * agentCount + mode] ?? 0) / greatest);
+      const y = HEIGHT - 1 - (HEIGHT - 3) * ((eigenvalues[instant * modeCount + mode] ?? 0) / greatest);
       path += `${instant === 0 ? "M" : "L"}${x.toFixed(1)} ${y.toFixed(1)}`;
     }
   }

@@ -1,7 +1,7 @@
 import { describe, expect, test } from "vitest";
 import { Formation } from "../../document/formation";
 import { MATCH_ORDERS, ModeBasis, ModeMatch } from "../../engine/modes";
-import { coefficientsOf, cutLine, cutPairs, likenessAlong, partialFormation, rmsError, sidesOf } from "./mode-geometry";
+import { coefficientsOf, cutLine, cutPairs, likenessAlong, pairsAmong, partialFormation, rmsError, sidesOf } from "./mode-geometry";
 
 /** A path of three with unit ties: eigenvalues 0, 1, 3, modes known by hand. */
 const HALF = Math.SQRT1_2;
@@ -42,6 +42,10 @@ describe("the cut of a mode", () => {
     expect([...sides]).toEqual([1, 0, -1]);
     expect([...cutPairs(Uint32Array.of(0, 1, 1, 2), sides)]).toEqual([]);
     expect([...cutPairs(Uint32Array.of(0, 2), sides)]).toEqual([0, 2]);
+  });
+
+  test("ties of some agents are those between them, by their place among them", () => {
+    expect([...pairsAmong([1, 4, 6], Uint32Array.of(0, 1, 1, 4, 4, 6, 5, 6))]).toEqual([0, 1, 1, 2]);
   });
 
   test("the line runs through a triangle where the entries would be zero", () => {

@@ -46,6 +46,17 @@ export function sidesOf(mode: Float64Array): Int8Array {
   return Int8Array.from(mode, (entry) => (Math.abs(entry) <= NO_SIDE * greatest ? 0 : Math.sign(entry)));
 }
 
+/** Ties as pairs of places in a list of agents; without those to others. */
+export function pairsAmong(agents: readonly number[], pairs: Uint32Array): Uint32Array {
+  const places = new Map(agents.map((agent, place) => [agent, place]));
+  const among: number[] = [];
+  for (let k = 0; k + 1 < pairs.length; k += 2) {
+    const [a, b] = [places.get(pairs[k] ?? 0), places.get(pairs[k + 1] ?? 0)];
+    if (a !== undefined && b !== undefined) among.push(a, b);
+  }
+  return Uint32Array.from(among);
+}
+
 /** The ties that join two sides, as pairs: a0, b0, a1, … */
 export function cutPairs(pairs: Uint32Array, sides: Int8Array): Uint32Array {
   const cut: number[] = [];

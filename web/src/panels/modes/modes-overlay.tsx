@@ -17,7 +17,7 @@ export function ModesOverlay() {
     () =>
       effect(() => {
         const [camera, size, shown] = [view.camera.value, view.size.value, sketch.value];
-        const colors = stored.value.map((color) => palette.shown(color));
+        const colors = shown?.picture.agents.map((agent) => palette.shown(stored.value[agent] ?? "")) ?? [];
         const context = canvas.current && fitCanvas(canvas.current, size);
         if (!context) return;
         if (shown) drawMode(context, shown, { camera, size, palette, colors });

@@ -1,7 +1,8 @@
 import "./modes.css";
 import { useSignal } from "@preact/signals";
 import type { ComponentChildren } from "preact";
-import { useEffect } from "preact/hooks";
+import { useEffect, useMemo } from "preact/hooks";
+import { presentAt } from "../../document/absence";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import { formatCount } from "../../document/units";
@@ -14,6 +15,7 @@ import { useSolo } from "../use-solo";
 import { useLatest } from "./latest";
 import { FEW_MODES, modesToShow } from "./limits";
 import { ModeSection } from "./mode-section";
+import { pairsAmong } from "./mode-geometry";
 import { picture } from "./picture";
 import { TransitionSections } from "./transition-sections";
 
@@ -28,16 +30,19 @@ export function ModesPanel() {
   const segment = selection.kind === "transition" ? selection.index : null;
   const active = document.activeKeyframe.value;
   const keyframe = segment ?? (selection.kind === "keyframe" ? selection.index : active);
-  const formation = mainTrack(scene).keyframes[keyframe]?.positions;
+  const track = mainTrack(scene);
   const count = useSignal(2);
-  const agentCount = formation?.agentCount ?? 0;
+  const agents = useMemo(() => presentAt(track, keyframe), [track, keyframe]);
+  const formation = useMemo(() => track.keyframes[keyframe]?.positions.select(agents), [track, keyframe, agents]);
+  const agentCount = agents.length;
   const latest = useLatest(tieInputs(scene, keyframe), () => askModes(solo, scene, keyframe, modesToShow(agentCount)));
   const basis = latest.value?.agentCount === agentCount ? latest.value : null;
-  const pairs = planner.ties.value[keyframe]?.pairs ?? NO_PAIRS;
+  const ties = planner.ties.value[keyframe]?.pairs ?? NO_PAIRS;
+  const pairs = useMemo(() => pairsAmong(agents, ties), [agents, ties]);
   const shown = Math.max(1, Math.min(count.value, basis?.shownCount ?? 1));
 
   useEffect(() => {
-    picture.value = basis && formation && agentCount > 0 ? { formation, pairs, basis, count: shown } : null;
+    picture.value = basis && formation && agentCount > 0 ? { agents, formation, pairs, basis, count: shown } : null;
   }, [basis, formation, pairs, shown]);
   useEffect(() => {
     // A formation is looked at, not a motion; whoever wants it to go on plays it.
@@ -70,7 +75,7 @@ export function ModesPanel() {
             </Note>
           )}
           {segment !== null && <TransitionSections key={segment} solo={solo} segment={segment} />}
-          {segment === null && mainTrack(scene).segments.length > 0 && (
+          {segment === null && track.segments.length > 0 && (
             <Note>Select a transition to see how these modes become those of the next formation.</Note>
           )}
         </>

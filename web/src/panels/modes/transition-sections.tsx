@@ -57,7 +57,7 @@ export function TransitionSections({ solo, segment }: { solo: Solo; segment: num
       </Section>
       {value.eigenvalues.length > 0 && (
         <Section title="Eigenvalues on the way" note={`${from} → ${to}`}>
-          <BetweenPlot eigenvalues={value.eigenvalues} agentCount={agentCount} segment={segment} />
+          <BetweenPlot eigenvalues={value.eigenvalues} modeCount={value.modeCount} segment={segment} />
           <p class="inspector-text modes-caption">
             Of a graph whose ties go evenly from those of {from} to those of {to}. Where lines come close, modes change
             places, and pairing them by eigenvalue winds the paths.

@@ -110,3 +110,62 @@ fn a_little_later_is_a_little_different() {
         }
     }
 }
+
+fn with_durations(mut scene: Scene, durations: [f64; 4]) -> Scene {
+    let mut time = 0.0;
+    for (keyframe, duration) in scene.tracks[0].keyframes.iter_mut().zip(durations.into_iter().chain([0.0])) {
+        keyframe.time = time;
+        time += duration;
+    }
+    scene
+}
+
+/// Between short and long ones, and the other way round.
+const UNEVEN: [[f64; 4]; 3] = [[60.0, 0.5, 40.0, 1.0], [0.2, 20.0, 0.2, 100.0], [1.0, 3.1, 30.0, 1.0]];
+
+#[test]
+fn who_moves_evenly_does_so_at_the_most_uneven_times() {
+    let start = scattered(7, 3);
+    let step = DVec2::new(0.3, -0.1);
+    for durations in UNEVEN {
+        let times = durations.iter().scan(0.0, |time, duration| Some(std::mem::replace(time, *time + duration)));
+        let mut formations: Vec<Vec<DVec2>> = times.map(|time| start.iter().map(|p| *p + step * time).collect()).collect();
+        let whole: f64 = durations.iter().sum();
+        formations.push(start.iter().map(|p| *p + step * whole).collect());
+        for choice in super::show::choices() {
+            let scene = with_timing(with_durations(show(&formations, Join::Smooth, choice), durations), Timing::Linear);
+            let performance = performed(&scene);
+            // The outer segments start and stop by half the velocity, as Catmull and Rom have it; the inner ones know no stop.
+            for segment in 1..3 {
+                for (at, t) in positions(&performance, segment, &TS).iter().zip(TS) {
+                    let passed: f64 = durations[..segment].iter().sum::<f64>() + t * durations[segment];
+                    let expected: Vec<DVec2> = start.iter().map(|p| *p + step * passed).collect();
+                    let off = farthest(at, &expected);
+                    assert!(off < 1e-9 * extent(&scene).max(30.0), "{choice:?}, {durations:?}, segment {segment} at {t}: {off:e}");
+                }
+            }
+        }
+    }
+}
+
+/// A cubic leaves the way between its ends by at most 4/27 of what the velocities at both would make in its time. A keyframe's velocity
+/// makes at most 9/4 of the shorter neighbor's way and 1 of the longer's (or less of both), so 2 · 4/27 · 13/4 < 1 of the longest way.
+#[test]
+fn nobody_runs_far_past_a_keyframe_however_uneven_the_times() {
+    let formations = generic(9);
+    let linear = choice(MethodName::Linear, Order::Greedy, Alignment::None, 0.0);
+    for durations in UNEVEN {
+        let performance = performed(&with_durations(show(&formations, Join::Smooth, linear), durations));
+        for segment in 0..4 {
+            for (agent, (p, q)) in formations[segment].iter().zip(&formations[segment + 1]).enumerate() {
+                let near = segment.saturating_sub(1)..(segment + 2).min(4);
+                let longest = near.map(|k| formations[k][agent].distance(formations[k + 1][agent])).fold(0.0, f64::max);
+                for at in positions(&performance, segment, &TS) {
+                    let along = ((at[agent] - *p).dot(*q - *p) / p.distance_squared(*q)).clamp(0.0, 1.0);
+                    let off = at[agent].distance(p.lerp(*q, along));
+                    assert!(off < longest, "{durations:?}, segment {segment}, agent {agent}: {off} m off, ways of {longest} m");
+                }
+            }
+        }
+    }
+}
