@@ -76,6 +76,16 @@ const BAD_FILES: readonly (readonly [name: string, content: string | { bytes: nu
   ["letter.txt", "Dear Ada,\nwe meet at nine.\n", /no scene.*scene file.*keyframe CSV.*recording/i],
 ];
 
+test("who opens a table is told that it names no distance, and keeps agents apart with one press", async ({ studio }) => {
+  await studio.openFirst();
+  const rows = ["keyframe,time,agent,x,y", "0,0,Ada,-4,0", "0,0,Ben,4,0", "1,8,Ada,4,0", "1,8,Ben,-4,0"];
+  await studio.drop("crossing.csv", rows.join("\n"));
+  await studio.button("Keep 0.50 m apart").click();
+  const file = await studio.sceneFile();
+  expect(file.minimumDistance).toBe(0.5);
+  expect(file.segments?.map(({ avoidance }) => avoidance)).toEqual([true]);
+});
+
 test("a bad file says what is wrong and where, and leaves the scene as it was", async ({ studio }) => {
   await studio.makeShow();
   await studio.planned();

@@ -1,10 +1,13 @@
 import type { Signal } from "@preact/signals";
+import { asksNoDistance, keepApart } from "../document/commands/keep-apart";
+import { NEW_MINIMUM_DISTANCE } from "../document/defaults";
 import { openScene } from "../document/open-scene";
 import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
+import { lengthWithUnit } from "../document/units";
 import type { Engine, Opened } from "../engine/api";
 import type { Aside } from "../panels/aside";
-import { type Messages, OPENING } from "../panels/messages";
+import { type Message, type Messages, OPENING } from "../panels/messages";
 import { problemFrom, type Reader } from "./reader";
 
 /** Larger files are refused before they are read; the engine has the same limit. */
@@ -68,12 +71,23 @@ export function createIntake(parts: IntakeParts): Intake {
       refuse(name, problem);
       return false;
     }
-    openScene(document, titled(opened, name), `Open ${name}`);
+    const scene = titled(opened, name);
+    openScene(document, scene, `Open ${name}`);
     onOpened();
-    const notes = opened.notes.join(" ");
-    const more = notes || "The scene before it is one undo away.";
-    messages.say({ tone: "good", about: OPENING, title: `${name} is open.`, text: more });
+    const said = { tone: "good", about: OPENING, title: `${name} is open.` } as const;
+    if (opened.source === "csv" && asksNoDistance(scene)) {
+      const text = [...opened.notes, "A table names no distance, so nobody is kept apart on the way."].join(" ");
+      messages.say({ ...said, text, actions: [keepingApart(scene)] });
+    } else {
+      messages.say({ ...said, text: opened.notes.join(" ") || "The scene before it is one undo away." });
+    }
     return true;
+  }
+
+  /** The distance of new scenes. */
+  function keepingApart({ stage }: Scene): Message["actions"][number] {
+    const distance = lengthWithUnit(NEW_MINIMUM_DISTANCE, stage.units);
+    return { label: `Keep ${distance} apart`, run: () => document.perform(keepApart(NEW_MINIMUM_DISTANCE)) };
   }
 
   return {
