@@ -30,7 +30,7 @@ export function attachHands({ stageHost, toolbox, view, actions, clipboard, ...p
   attachClipboard(document, clipboard, (file) => void intake.openFile(file));
   attachDrop(
     document.documentElement,
-    (file) => void intake.openFile(file),
+    (files) => void intake.openFiles(files),
     (text) => void intake.openText(text, "What you dropped"),
   );
 }

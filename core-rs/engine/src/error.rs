@@ -13,7 +13,7 @@ pub use json::JsonError;
 pub use recording::RecordingError;
 pub use table::TableError;
 pub use words::{Blank, Counted};
-use words::{Listed, there_are, two_slots};
+use words::{Brief, Listed, there_are, two_slots};
 
 use crate::scene::limits;
 
@@ -103,7 +103,7 @@ pub enum Error {
         place: String,
     },
     /// A number outside its limits.
-    #[error("{value} is out of range; it must be from {low} to {high}")]
+    #[error("{} is out of range; it must be from {low} to {high}", Brief(*value))]
     OutOfRange {
         /// The number.
         value: f64,

@@ -1,5 +1,9 @@
-/** A file dropped anywhere on the page is opened; so is dropped text, such as a link. */
-export function attachDrop(page: HTMLElement, openFile: (file: File) => void, openText: (text: string) => void): void {
+/** Files dropped anywhere on the page are to be opened; so is dropped text, such as a link. */
+export function attachDrop(
+  page: HTMLElement,
+  openFiles: (files: readonly File[]) => void,
+  openText: (text: string) => void,
+): void {
   const isOurs = (event: DragEvent): boolean =>
     Boolean(event.dataTransfer?.types.some((type) => type === "Files" || type === "text/plain"));
   page.addEventListener("dragover", (event) => {
@@ -14,8 +18,8 @@ export function attachDrop(page: HTMLElement, openFile: (file: File) => void, op
     page.classList.remove("is-drop-target");
     if (!isOurs(event) || !event.dataTransfer) return;
     event.preventDefault();
-    const file = event.dataTransfer.files[0];
-    if (file) openFile(file);
+    const files = [...event.dataTransfer.files];
+    if (files.length > 0) openFiles(files);
     else openText(event.dataTransfer.getData("text/plain"));
   });
 }

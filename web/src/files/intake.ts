@@ -18,6 +18,8 @@ export interface Intake {
   /** Opens text as a new scene; answers whether it did. */
   openText(text: string, name: string): Promise<boolean>;
   openFile(file: File): Promise<boolean>;
+  /** Opens the first of them, and says so where there are more. */
+  openFiles(files: readonly File[]): Promise<boolean>;
 }
 
 export interface IntakeParts {
@@ -90,23 +92,34 @@ export function createIntake(parts: IntakeParts): Intake {
     return { label: `Keep ${distance} apart`, run: () => document.perform(keepApart(NEW_MINIMUM_DISTANCE)) };
   }
 
+  async function openFile(file: File): Promise<boolean> {
+    if (isPicture(file)) {
+      onPicture(file);
+      return true;
+    }
+    if (file.size > FILE_LIMIT) {
+      refuse(file.name, { code: "file-too-large", what: "A file may have at most 64 MiB.", where: "" });
+      return false;
+    }
+    try {
+      return await openText(await file.text(), file.name);
+    } catch (error) {
+      refuse(file.name, problemFrom(error));
+      return false;
+    }
+  }
+
   return {
     openText,
-    async openFile(file) {
-      if (isPicture(file)) {
-        onPicture(file);
-        return true;
+    openFile,
+    async openFiles(files) {
+      const [first] = files;
+      if (!first) return false;
+      if (files.length > 1) {
+        const text = `Of ${files.length} files only ${first.name} is opened.`;
+        messages.say({ tone: "problem", title: "One file at a time.", text });
       }
-      if (file.size > FILE_LIMIT) {
-        refuse(file.name, { code: "file-too-large", what: "A file may have at most 64 MiB.", where: "" });
-        return false;
-      }
-      try {
-        return await openText(await file.text(), file.name);
-      } catch (error) {
-        refuse(file.name, problemFrom(error));
-        return false;
-      }
+      return openFile(first);
     },
   };
 }

@@ -103,6 +103,16 @@ impl Display for Listed<'_> {
     }
 }
 
+/// A number in no more digits than a double has: beyond, the rest of them would be zeros.
+pub(super) struct Brief(pub(super) f64);
+
+impl Display for Brief {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let size = self.0.abs();
+        if size == 0.0 || (1e-15..1e15).contains(&size) { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
+    }
+}
+
 pub(super) fn there_are(what: &str, count: usize) -> String {
     match count {
         0 => "the scene has none".to_owned(),
@@ -115,4 +125,15 @@ pub(super) fn two_slots(agent: u32, [first, second]: [u32; 2]) -> String {
         return format!("agent {agent} is locked to slot {first} twice; once is enough");
     }
     format!("agent {agent} is locked to slots {first} and {second}; an agent has one")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Brief;
+
+    #[test]
+    fn numbers_are_as_long_as_their_digits() {
+        let said = [0.0, -0.5, 1e5, 123_456.75, 1e300, -1e-200].map(|value| Brief(value).to_string());
+        assert_eq!(said, ["0", "-0.5", "100000", "123456.75", "1e300", "-1e-200"]);
+    }
 }

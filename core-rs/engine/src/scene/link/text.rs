@@ -64,7 +64,8 @@ fn find_payload(text: &str) -> Result<&str, Error> {
     // What stands behind an ampersand says how a scene is shown, not what it is.
     let versioned = without_escapes(versioned.split('&').next().unwrap_or(versioned));
     let (version, payload) = versioned.split_once('.').unwrap_or((versioned, ""));
-    if !version.bytes().all(|c| c.is_ascii_digit()) || version.starts_with('0') {
+    let is_number = version.bytes().all(|c| c.is_ascii_digit()) && !version.starts_with('0');
+    if !is_number || (version.is_empty() && versioned.starts_with('.')) {
         return Err(Error::LinkDamaged);
     }
     if payload.is_empty() {
@@ -198,6 +199,7 @@ mod tests {
             ("#s=2.AAAA", Error::NewerVersion { version: "2".to_owned() }),
             ("#s=12.AAAA", Error::NewerVersion { version: "12".to_owned() }),
             ("#s=0.AAAA", Error::LinkDamaged),
+            ("#s=.AAAA", Error::LinkDamaged),
             ("#s=one.AAAA", Error::LinkDamaged),
             ("#s=1.AA*A", Error::LinkDamaged),
             ("#s=1.AAAA%3EAAAA", Error::LinkDamaged),
