@@ -80,7 +80,19 @@ pub fn maximize(agent_count: usize, gain: impl Fn(usize, usize) -> f64) -> Assig
 /// # Panics
 /// When the formations differ in number.
 pub fn squared(source: &Formation, target: &Formation) -> Assignment {
-    let spec = AssignmentSpec::default();
+    least(source, target, Cost::Squared)
+}
+
+/// The same with the least sum of distances.
+///
+/// # Panics
+/// When the formations differ in number.
+pub fn shortest(source: &Formation, target: &Formation) -> Assignment {
+    least(source, target, Cost::Euclidean)
+}
+
+fn least(source: &Formation, target: &Formation, cost: Cost) -> Assignment {
+    let spec = AssignmentSpec { cost, ..AssignmentSpec::default() };
     let question = Question { source, target, spec: &spec, sections: &[], is_flipped: false, is_predicted: false };
     let Ok(assignment) = assign(&question) else { unreachable!("without locks and obstacles nothing contradicts") };
     assignment
