@@ -76,7 +76,9 @@ const BAD_FILES: readonly (readonly [name: string, content: string | { bytes: nu
   ["letter.txt", "Dear Ada,\nwe meet at nine.\n", /no scene.*scene file.*keyframe CSV.*recording/i],
 ];
 
-test("who opens a table is told that it names no distance, and keeps agents apart with one press", async ({ studio }) => {
+test("who opens a table is told that it names no distance, and keeps agents apart with one press", async ({
+  studio,
+}) => {
   await studio.openFirst();
   const rows = ["keyframe,time,agent,x,y", "0,0,Ada,-4,0", "0,0,Ben,4,0", "1,8,Ada,4,0", "1,8,Ben,-4,0"];
   await studio.drop("crossing.csv", rows.join("\n"));

@@ -64,3 +64,8 @@ export function selectedAgents(scene: Scene, selection: Selection): ReadonlySet<
 export function allAgents(scene: Scene): ReadonlySet<number> {
   return new Set(mainTrack(scene).agents.keys());
 }
+
+/** Whether agents move and no distance is asked of them, so that nobody is warned of a meeting. */
+export function isWithoutDistance(scene: Scene): boolean {
+  return scene.minimumDistance === 0 && mainTrack(scene).segments.length > 0;
+}

@@ -1,13 +1,13 @@
 import type { Signal } from "@preact/signals";
-import { asksNoDistance, keepApart } from "../document/commands/keep-apart";
 import { NEW_MINIMUM_DISTANCE } from "../document/defaults";
 import { openScene } from "../document/open-scene";
+import { isWithoutDistance } from "../document/queries";
 import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { lengthWithUnit } from "../document/units";
 import type { Engine, Opened } from "../engine/api";
 import type { Aside } from "../panels/aside";
-import { type Message, type Messages, OPENING } from "../panels/messages";
+import { type Message, type Messages, NOT_LOADED, OPENING } from "../panels/messages";
 import { problemFrom, type Reader } from "./reader";
 
 /** Larger files are refused before they are read; the engine has the same limit. */
@@ -77,7 +77,7 @@ export function createIntake(parts: IntakeParts): Intake {
     openScene(document, scene, `Open ${name}`);
     onOpened();
     const said = { tone: "good", about: OPENING, title: `${name} is open.` } as const;
-    if (opened.source === "csv" && asksNoDistance(scene)) {
+    if (opened.source === "csv" && isWithoutDistance(scene)) {
       const text = [...opened.notes, "A table names no distance, so nobody is kept apart on the way."].join(" ");
       messages.say({ ...said, text, actions: [keepingApart(scene)] });
     } else {
@@ -86,10 +86,14 @@ export function createIntake(parts: IntakeParts): Intake {
     return true;
   }
 
-  /** The distance of new scenes. */
+  /** At the distance of new scenes. */
   function keepingApart({ stage }: Scene): Message["actions"][number] {
-    const distance = lengthWithUnit(NEW_MINIMUM_DISTANCE, stage.units);
-    return { label: `Keep ${distance} apart`, run: () => document.perform(keepApart(NEW_MINIMUM_DISTANCE)) };
+    const run = () =>
+      import("../document/commands/keep-apart").then(
+        ({ keepApart }) => document.perform(keepApart(NEW_MINIMUM_DISTANCE)),
+        () => messages.say(NOT_LOADED),
+      );
+    return { label: `Keep ${lengthWithUnit(NEW_MINIMUM_DISTANCE, stage.units)} apart`, run: () => void run() };
   }
 
   async function openFile(file: File): Promise<boolean> {

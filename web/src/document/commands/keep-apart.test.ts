@@ -9,7 +9,10 @@ function table(minimumDistance: number): Scene {
   const one = Formation.from([]);
   const scene = { ...emptyScene(), minimumDistance };
   const show = addKeyframe(4, one).apply(addKeyframe(2, one).apply(scene));
-  return { ...show, tracks: [{ ...mainTrack(show), segments: mainTrack(show).segments.map((was) => ({ ...was, avoidance: false })) }] };
+  return {
+    ...show,
+    tracks: [{ ...mainTrack(show), segments: mainTrack(show).segments.map((was) => ({ ...was, avoidance: false })) }],
+  };
 }
 
 test("a table's agents keep apart on every way, at the distance asked", () => {

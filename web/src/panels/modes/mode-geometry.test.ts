@@ -1,7 +1,16 @@
 import { describe, expect, test } from "vitest";
 import { Formation } from "../../document/formation";
 import { MATCH_ORDERS, ModeBasis, ModeMatch } from "../../engine/modes";
-import { coefficientsOf, cutLine, cutPairs, likenessAlong, pairsAmong, partialFormation, rmsError, sidesOf } from "./mode-geometry";
+import {
+  coefficientsOf,
+  cutLine,
+  cutPairs,
+  likenessAlong,
+  pairsAmong,
+  partialFormation,
+  rmsError,
+  sidesOf,
+} from "./mode-geometry";
 
 /** A path of three with unit ties: eigenvalues 0, 1, 3, modes known by hand. */
 const HALF = Math.SQRT1_2;

@@ -14,8 +14,8 @@ import { useStudio } from "../studio";
 import { useSolo } from "../use-solo";
 import { useLatest } from "./latest";
 import { FEW_MODES, modesToShow } from "./limits";
-import { ModeSection } from "./mode-section";
 import { pairsAmong } from "./mode-geometry";
+import { ModeSection } from "./mode-section";
 import { picture } from "./picture";
 import { TransitionSections } from "./transition-sections";
 
