@@ -1,18 +1,15 @@
 import { setTransition } from "../../document/commands/transitions";
-import { type Choice, mainTrack, type Segment } from "../../document/scene";
-import { WordAction } from "../action-button";
+import type { Choice, Segment } from "../../document/scene";
 import { QuantityRow } from "../controls/quantity-row";
 import { Row } from "../controls/row";
-import { Select } from "../controls/select";
 import { Switch } from "../controls/switch";
 import { lazily } from "../lazily";
 import { useStudio } from "../studio";
-import { HierarchyRows } from "./hierarchy-rows";
 import { MinimumDistanceRow } from "./minimum-distance-row";
 import { AlignmentSelect, MethodSelect, OrderSelect } from "./option-selects";
 import { optionsShown, takenOver } from "./options-shown";
 import { SHARING } from "./quantities";
-import { alignmentNote, orderNote, TIMINGS, timingNote } from "./words";
+import { alignmentNote, orderNote } from "./words";
 
 const CrowdRows = lazily(() => import("./crowd-rows").then((part) => part.CrowdRows));
 
@@ -58,28 +55,6 @@ export function TransitionOptions(props: { index: number; segment: Segment; choi
         onToggle={(avoidance) => option.onChange({ avoidance })}
       />
       <MinimumDistanceRow />
-      <Row label="Timing" note={timingNote(segment.timing)}>
-        <Select
-          label="Timing"
-          value={segment.timing}
-          choices={TIMINGS}
-          onChoose={(timing) => option.onChange({ timing })}
-        />
-      </Row>
-      {shown.hasKeepSize && (
-        <Switch
-          label="Keep the size"
-          note="it does not shrink on the way"
-          isOn={segment.keepSize}
-          onToggle={(keepSize) => option.onChange({ keepSize })}
-        />
-      )}
-      <HierarchyRows index={index} segment={segment} choice={choice} />
-      {mainTrack(document.scene.value).segments.length > 1 && (
-        <WordAction id="use-everywhere" class="button quiet use-everywhere">
-          Use for every transition
-        </WordAction>
-      )}
     </>
   );
 }

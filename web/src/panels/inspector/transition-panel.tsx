@@ -10,6 +10,7 @@ import { useStudio } from "../studio";
 import { Candidates } from "./candidates";
 import { ClashNote } from "./clash-note";
 import { Head } from "./head";
+import { MannerOptions } from "./manner-options";
 import { Measures } from "./measures";
 import { PlanningNote } from "./planning-note";
 import { planningView } from "./planning-view";
@@ -33,6 +34,7 @@ export function TransitionPanel({ index }: { index: number }) {
   if (!segment || !from || !to) return null;
   const leaving = from.time + from.hold;
   const view = planningView(planner.segments.value[index], scene.minimumDistance, scene.stage.units);
+  const choice = view.plan?.report.choice ?? segment.chosen;
   const isFormer = view.isFormer && isLong.value;
   return (
     <>
@@ -49,15 +51,14 @@ export function TransitionPanel({ index }: { index: number }) {
           max={LIMITS.seconds}
           onCommit={(seconds) => document.perform(rippleKeyframe(index + 1, leaving + seconds))}
         />
-        <TransitionOptions index={index} segment={segment} choice={view.plan?.report.choice ?? segment.chosen} />
+        <TransitionOptions index={index} segment={segment} choice={choice} />
         <PlanningNote view={view} />
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
         {view.plan?.report.hurried && !isFormer && <HurryNote index={index} hurried={view.plan.report.hurried} />}
         {segment.avoidance && <SpreadOut key={index} index={index} report={view.plan?.report ?? null} />}
       </Section>
-      <PathPart key={`path ${index}`} index={index} segment={segment} />
-      <AssignmentPart key={index} index={index} segment={segment} />
       {view.plan && <Measures plan={view.plan} index={index} isFormer={isFormer} />}
+      {view.plan && <Candidates report={view.plan.report} isAuto={segment.method === "auto"} isFormer={isFormer} />}
       <Section>
         <div class="inspector-buttons">
           <WordAction id="compare" class="button">
@@ -68,7 +69,11 @@ export function TransitionPanel({ index }: { index: number }) {
           </WordAction>
         </div>
       </Section>
-      {view.plan && <Candidates report={view.plan.report} isAuto={segment.method === "auto"} isFormer={isFormer} />}
+      <AssignmentPart key={index} index={index} segment={segment} />
+      <PathPart key={`path ${index}`} index={index} segment={segment} />
+      <Section title="Manner">
+        <MannerOptions index={index} segment={segment} choice={choice} />
+      </Section>
     </>
   );
 }
