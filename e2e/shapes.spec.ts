@@ -57,7 +57,7 @@ test("text and a dropped picture become formations of exactly the agents there a
   await studio.dialog.getByRole("spinbutton", { name: "Longer side" }).fill("1");
   await studio.page.keyboard.press("Enter");
   await expect(says).toHaveText(
-    /^70 agents do not fit \d\.\d\d m apart, with a little to spare, \d+ do; ask for fewer, a larger shape/,
+    /^70 agents do not fit \d\.\d\d m apart, with a little to spare; \d+ do\. Ask for fewer, a larger shape/,
   );
   await studio.dialog.getByRole("spinbutton", { name: "Longer side" }).fill("60");
   await studio.page.keyboard.press("Enter");
