@@ -57,8 +57,7 @@ main(async () => {
   const jupedsim = await step("JuPedSim", jupedsimRows);
   const recast = await step("Recast", () => recastRows(browser, folder));
   for (const line of crowdTable({ native, chromium: walks, jupedsim, recast })) console.log(line);
-  const memory = await step("The page's memory", () => memoryRow(browser));
-  const frames = await step("The page's frames", () => playbackRows(browser));
-  const perspective = await step("The perspective view's frames", () => perspectiveRows(browser));
-  for (const line of [memory, ...frames, ...perspective]) console.log(line);
+  console.log(await step("The page's memory", () => memoryRow(browser)));
+  for (const line of await step("The page's frames", () => playbackRows(browser))) console.log(line);
+  for (const line of await step("The perspective view's frames", () => perspectiveRows(browser))) console.log(line);
 });

@@ -85,6 +85,7 @@ export function perspectiveRows(executablePath) {
       const names = context?.getExtension("WEBGL_debug_renderer_info");
       return context && names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "an unnamed device";
     });
+    await press(page, "Loop");
     const lines = [];
     for (const bodies of ["Figures", "Cones", "Discs"]) {
       await page.getByRole("combobox", { name: "Show agents as" }).selectOption(bodies);
