@@ -10,6 +10,7 @@ use eigenform_apart::{Kernel, Outline, Paths};
 use glam::DVec2;
 
 use super::hull::{chain, extent, grown, way_out};
+use super::obstacles::Round;
 use super::{Avoidance, at};
 use crate::edits::NO_GROUP;
 
@@ -240,12 +241,15 @@ fn offset(paths: &Paths, agent: usize, outline: &Outline, side: DVec2) -> f64 {
 
 /// The knot at which an agent is nearest to the obstacle.
 fn nearest(paths: &Paths, agent: usize, outline: &Outline) -> usize {
-    let clearance = |knot: usize| outline.clearance(at(paths, agent, knot).to_array()).0;
-    let mut nearest = (clearance(0), 0);
-    for knot in 1..paths.knot_count() {
-        let here = clearance(knot);
-        if here < nearest.0 {
-            nearest = (here, knot);
+    let round = Round::about(outline);
+    let mut nearest = (f64::INFINITY, 0);
+    for knot in 0..paths.knot_count() {
+        let place = at(paths, agent, knot);
+        if round.reaches(place.x, place.y, nearest.0) {
+            let here = outline.clearance(place.to_array()).0;
+            if here < nearest.0 {
+                nearest = (here, knot);
+            }
         }
     }
     nearest.1
@@ -253,9 +257,10 @@ fn nearest(paths: &Paths, agent: usize, outline: &Outline) -> usize {
 
 /// The first and the last knot about which an agent is nearer than `reach`.
 fn span(paths: &Paths, agent: usize, outline: &Outline, reach: f64) -> Option<(usize, usize)> {
+    let round = Round::about(outline);
     let is_near = |knot: usize| {
-        let [from, to] = [knot, knot + 1].map(|knot| at(paths, agent, knot).to_array());
-        outline.least_clearance(from, to).0 < reach
+        let [from, to] = [knot, knot + 1].map(|knot| at(paths, agent, knot));
+        round.reaches(from.x, from.y, reach + from.distance(to)) && outline.least_clearance(from.to_array(), to.to_array()).0 < reach
     };
     let mut near = (0..paths.knot_count() - 1).filter(|knot| is_near(*knot));
     let first = near.next()?;
