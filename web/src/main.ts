@@ -15,6 +15,7 @@ import type { Desk } from "./files/desk";
 import { FIRST_EXAMPLE, readExample } from "./files/examples";
 import type { IntakeParts } from "./files/intake";
 import { keepScene, sayWhenNotKept } from "./files/keep";
+import { withdrawOutdated } from "./files/outdated";
 import { createReader, problemFrom, sentence } from "./files/reader";
 import type { Aside } from "./panels/aside";
 import { createActions } from "./panels/create-actions";
@@ -24,7 +25,7 @@ import type { ActionParts } from "./panels/doing";
 import { followPlayhead } from "./panels/follow-playhead";
 import { laterHandiwork } from "./panels/later-handiwork";
 import { lazily } from "./panels/lazily";
-import { createMessages, NOT_LOADED } from "./panels/messages";
+import { createMessages, NOT_LOADED, OPENING } from "./panels/messages";
 import { mountPanels } from "./panels/mount";
 import { releaseFocus } from "./panels/release-focus";
 import { createSeen, frontWhenAsked } from "./panels/seen";
@@ -100,6 +101,8 @@ const intake: IntakeParts = {
   onOpened: showOpened,
   onPicture: (file) => dialogs.show({ kind: "shape", from: "picture", file }),
 };
+
+withdrawOutdated(store, messages);
 
 function showFromStart(): void {
   playback.pause();
@@ -267,6 +270,8 @@ const arrival: ArrivalParts = {
     settled = opened.scene;
     showFromStart();
     playWhereWelcome();
+    const text = "Press New to draw formations of your own.";
+    messages.say({ tone: "good", about: OPENING, title: "This is an example.", text });
   },
   hasOwn: () => hasAgents(store.scene.peek()),
   async askToOpen() {

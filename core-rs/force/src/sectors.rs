@@ -2,6 +2,13 @@
 
 use std::f64::consts::TAU;
 
+/// So near before a border a direction is beyond it: along an axis, or halfway between two, rounding would tell agents apart who all
+/// head the same way. As [`turn`] counts; rounding is a hundredth of it.
+const ON_BORDER: f64 = 1e-10;
+
+/// Of a whole turn.
+const WHOLE: f64 = 4.0;
+
 /// K sectors, the first from x toward y.
 #[derive(Clone, Debug)]
 pub struct Sectors {
@@ -24,14 +31,15 @@ impl Sectors {
     /// The sector of each direction; rest for whoever is slower than `rest`.
     pub fn classes_into(&self, vx: &[f64], vy: &[f64], rest: f64, classes: &mut [u32]) {
         for (class, (vx, vy)) in classes.iter_mut().zip(vx.iter().zip(vy)) {
-            let turn = turn(*vx, *vy);
+            let turn = turn(*vx, *vy) + ON_BORDER;
+            let turn = if turn < WHOLE { turn } else { turn - WHOLE };
             let sector = self.borders.iter().map(|border| u32::from(turn >= *border)).sum();
             *class = if vx * vx + vy * vy < rest * rest { self.class_count() - 1 } else { sector };
         }
     }
 }
 
-/// A number in 0..=4 that grows with the angle of a direction, a quarter turn by one: no arc is needed to tell directions apart.
+/// A number in 0..=[`WHOLE`] that grows with the angle of a direction, a quarter turn by one: no arc is needed to tell directions apart.
 fn turn(x: f64, y: f64) -> f64 {
     let share = y.abs() / (x.abs() + y.abs());
     let above = if x < 0.0 { 2.0 - share } else { share };
@@ -53,6 +61,15 @@ mod tests {
     fn directions_have_sectors_and_rest_has_its_own() {
         check(4, &[(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0), (1.0, -1e-9), (-1e-9, 0.0), (0.0, 0.0)], &[0, 1, 2, 3, 3, 4, 4]);
         check(1, &[(-0.3, 0.4), (0.0, 0.0)], &[0, 1]);
+    }
+
+    #[test]
+    fn rounding_tells_nobody_apart_along_a_border() {
+        for k in 0..8_u32 {
+            let angle = TAU * f64::from(k) / 8.0;
+            let directions: Vec<(f64, f64)> = [-4e-12, 0.0, 4e-12].map(|off| ((angle + off).cos(), (angle + off).sin())).to_vec();
+            check(8, &directions, &[k; 3]);
+        }
     }
 
     #[test]

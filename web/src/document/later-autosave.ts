@@ -1,14 +1,20 @@
-import { computed, signal } from "@preact/signals";
+import { computed, type ReadonlySignal, signal } from "@preact/signals";
 import type { Autosave, SaveState } from "./autosave";
 import { DATABASE } from "./database";
 
 /** Words until there is something to keep, or where what keeps it could not be fetched. */
 const NOTHING_YET = "Nothing to save yet";
-const EMPTY: SaveState = { kind: "empty" };
+const EMPTY: LaterState = { kind: "empty" };
+const NOT_COME: LaterState = { kind: "failed", why: "unreachable" };
 const UNREACHABLE = "Not saved yet: a part of the page did not load";
 
 /** Autosave as the page holds it: what is asked of it meanwhile is done when it comes. */
-export type LaterAutosave = Pick<Autosave, "state" | "words" | "changed" | "flush" | "restore">;
+export interface LaterAutosave extends Pick<Autosave, "words" | "changed" | "flush" | "restore"> {
+  readonly state: ReadonlySignal<LaterState>;
+}
+
+/** As autosave has it, or that it did not come. */
+export type LaterState = SaveState | { readonly kind: "failed"; readonly why: "unreachable" };
 
 /** Fetched when there is something to keep, or something that was kept: a first visit has neither. */
 export function laterAutosave(load: () => Promise<Autosave> = fetchAutosave): LaterAutosave {
@@ -33,7 +39,7 @@ export function laterAutosave(load: () => Promise<Autosave> = fetchAutosave): La
   }
 
   return {
-    state: computed(() => ready.value?.state.value ?? EMPTY),
+    state: computed(() => ready.value?.state.value ?? (hasFailed.value ? NOT_COME : EMPTY)),
     words: computed(() => ready.value?.words.value ?? (hasFailed.value ? UNREACHABLE : NOTHING_YET)),
     changed(write) {
       whenReady().then(

@@ -1,4 +1,4 @@
-import type { Signal } from "@preact/signals";
+import { effect, type Signal } from "@preact/signals";
 import { NEW_MINIMUM_DISTANCE } from "../document/defaults";
 import { openScene } from "../document/open-scene";
 import { isWithoutDistance } from "../document/queries";
@@ -7,7 +7,7 @@ import type { DocumentStore } from "../document/store";
 import { lengthWithUnit } from "../document/units";
 import type { Engine, Opened } from "../engine/api";
 import type { Aside } from "../panels/aside";
-import { type Message, type Messages, NOT_LOADED, OPENING } from "../panels/messages";
+import { type Message, type Messages, OPENING } from "../panels/messages";
 import { problemFrom, type Reader } from "./reader";
 
 /** Larger files are refused before they are read; the engine has the same limit. */
@@ -77,23 +77,34 @@ export function createIntake(parts: IntakeParts): Intake {
     openScene(document, scene, `Open ${name}`);
     onOpened();
     const said = { tone: "good", about: OPENING, title: `${name} is open.` } as const;
-    if (opened.source === "csv" && isWithoutDistance(scene)) {
+    const offers = opened.source === "csv" && isWithoutDistance(scene) ? await keepingApart(scene) : null;
+    if (offers) {
       const text = [...opened.notes, "A table names no distance, so nobody is kept apart on the way."].join(" ");
-      messages.say({ ...said, text, actions: [keepingApart(scene)] });
+      dismissOnceApart(messages.say({ ...said, text, actions: offers }));
     } else {
       messages.say({ ...said, text: opened.notes.join(" ") || "The scene before it is one undo away." });
     }
     return true;
   }
 
-  /** At the distance of new scenes. */
-  function keepingApart({ stage }: Scene): Message["actions"][number] {
-    const run = () =>
-      import("../document/commands/keep-apart").then(
-        ({ keepApart }) => document.perform(keepApart(NEW_MINIMUM_DISTANCE)),
-        () => messages.say(NOT_LOADED),
-      );
-    return { label: `Keep ${lengthWithUnit(NEW_MINIMUM_DISTANCE, stage.units)} apart`, run: () => void run() };
+  /** At the distance of new scenes; nothing where the command does not come. */
+  async function keepingApart({ stage }: Scene): Promise<Message["actions"] | null> {
+    try {
+      const { keepApart } = await import("../document/commands/keep-apart");
+      const run = () => document.perform(keepApart(NEW_MINIMUM_DISTANCE));
+      return [{ label: `Keep ${lengthWithUnit(NEW_MINIMUM_DISTANCE, stage.units)} apart`, run }];
+    } catch {
+      return null;
+    }
+  }
+
+  /** Whoever gives the scene a distance needs no offer of one. */
+  function dismissOnceApart(message: number): void {
+    const stop = effect(() => {
+      if (isWithoutDistance(document.scene.value)) return;
+      messages.dismiss(message);
+      queueMicrotask(() => stop());
+    });
   }
 
   async function openFile(file: File): Promise<boolean> {

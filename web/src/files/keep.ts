@@ -6,7 +6,12 @@ import type { Engine } from "../engine/api";
 import type { Messages } from "../panels/messages";
 
 /** Why nothing is kept; what is only tried again goes without a word. */
-const WHY = { full: "Storage is full.", blocked: "The browser blocks storage.", unwritable: null } as const;
+const WHY = {
+  full: "Storage is full.",
+  blocked: "The browser blocks storage.",
+  unreachable: "A part of the page did not load.",
+  unwritable: null,
+} as const;
 
 /** Says it aloud when the scene cannot be kept, beside the words at its title, which a narrow page has no room for. */
 export function sayWhenNotKept({ state }: Pick<LaterAutosave, "state">, messages: Messages): void {

@@ -99,6 +99,7 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
         if (!segment) return;
         const { kind: _, chosen: __, assignment: ___, ...options } = segment;
         document.perform(setAllTransitions(options));
+        messages.announce("Every transition has its method and options now.");
       },
     },
   };

@@ -23,23 +23,24 @@ export function lazily<Props extends object>(
   };
 }
 
-/** One fetch for all who show it; a failed one is tried again the next time it is shown. */
+/** One fetch for all who show it; a failed one is tried again the next time it is shown, or when the connection is back. */
 function createPart<Props extends object>(load: () => Promise<ComponentType<Props>>) {
   const loaded = signal<{ readonly component: ComponentType<Props> } | null>(null);
   let isFetching = false;
-  return {
-    loaded,
-    fetch(onFailed: () => void): void {
-      if (isFetching || loaded.peek()) return;
-      isFetching = true;
-      load()
-        .then((component) => {
-          loaded.value = { component };
-        })
-        .catch(onFailed)
-        .finally(() => {
-          isFetching = false;
-        });
-    },
-  };
+  function fetch(onFailed: () => void): void {
+    if (isFetching || loaded.peek()) return;
+    isFetching = true;
+    load()
+      .then((component) => {
+        loaded.value = { component };
+      })
+      .catch(() => {
+        addEventListener("online", () => fetch(onFailed), { once: true });
+        onFailed();
+      })
+      .finally(() => {
+        isFetching = false;
+      });
+  }
+  return { loaded, fetch };
 }

@@ -27,13 +27,15 @@ export interface Messages {
   say(message: Pick<Message, "tone" | "title" | "text"> & Partial<Pick<Message, "about" | "actions">>): number;
   announce(text: string): void;
   dismiss(id: number): void;
+  /** Takes back what was said about something. */
+  withdraw(about: string): void;
 }
 
 /** What is said when a part that is fetched later did not come. */
 export const NOT_LOADED = {
   tone: "problem",
   title: "A part of the page did not load.",
-  text: "Check the connection and try it again; the scene is unchanged.",
+  text: "Check the connection and try it again; nothing is lost.",
 } as const;
 
 /** Toasts that are seen at once, and announcements that are kept. */
@@ -65,6 +67,9 @@ export function createMessages(): Messages {
     },
     dismiss(id) {
       shown.value = shown.peek().filter((message) => message.id !== id);
+    },
+    withdraw(about) {
+      shown.value = shown.peek().filter((message) => message.about !== about);
     },
   };
 }

@@ -19,7 +19,7 @@ const show = new Show(track, []);
 function skinAt(time: number): [from: number | undefined, to: number | undefined] {
   const onion = new Onion();
   onion.take(track, show, time);
-  return [onion.from?.x(0), onion.to?.x(0)];
+  return [onion.from?.positions.x(0), onion.to?.positions.x(0)];
 }
 
 describe("onion skin", () => {

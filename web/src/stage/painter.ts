@@ -129,8 +129,8 @@ export function createPainter(inputs: StageInputs, subject: Subject, canvases: C
     }
     if (view.layers.value.ghosts) {
       frame.look(frame.camera, frame.size, frame.density, transitionSpacing(moving.track, onion.segment));
-      if (onion.from) drawGhosts(context, frame, onion.from.xy);
-      if (onion.to) drawTargets(context, frame, onion.to.xy);
+      if (onion.from) drawGhosts(context, frame, onion.from.positions.xy, onion.goneFrom);
+      if (onion.to) drawTargets(context, frame, onion.to.positions.xy, onion.goneTo);
     }
     frame.spacing = spacing;
     frame.radius = radius;

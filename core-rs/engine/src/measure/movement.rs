@@ -18,8 +18,11 @@ const INSTANTS: usize = 121;
 /// Work on target deviations, in agents²: about a second.
 const TARGET_WORK: usize = 25_000_000;
 
-/// Instants of target deviations; between them they run straight.
+/// Instants of many agents' target deviations; between them they run straight.
 const TARGET_INSTANTS: std::ops::RangeInclusive<usize> = 3..=25;
+
+/// Work, in agents², for which every instant is looked at: a hundred agents over all of them, in some tens of milliseconds.
+const LITTLE_TARGET_WORK: usize = INSTANTS * 100 * 100;
 
 /// R of the measure, in spacings; that of the paper is not given.
 const BIN_SIZE: f64 = 4.0;
@@ -46,7 +49,7 @@ pub struct Movement {
     pub structure_deviation: Extreme,
     /// The standard deviation of the distances from the source (equation 26), meters.
     pub effort_deviation: Extreme,
-    /// The mean distance to the target's slots, each agent to the one that the least sum of squares gives it, meters.
+    /// The mean distance to the target's slots, each agent to the one that the least sum of distances gives it, meters.
     pub target_deviation: Extreme,
     /// The median jerk over agents and samples, m/s³.
     pub roughness: f64,
@@ -152,6 +155,7 @@ fn deviation(values: &[f64]) -> f64 {
 fn target_deviations(motion: &Motion, samples: &[usize], target: &Formation) -> Vec<f64> {
     let agent_count = motion.agent_count().max(1);
     let most = (TARGET_WORK / (agent_count * agent_count)).clamp(*TARGET_INSTANTS.start(), *TARGET_INSTANTS.end());
+    let most = most.max(LITTLE_TARGET_WORK / (agent_count * agent_count));
     let known = evenly(samples.len(), most);
     let found: Vec<f64> = known.iter().map(|place| target_deviation(&motion.formation(samples[*place]), target)).collect();
     let between = |place: usize| {

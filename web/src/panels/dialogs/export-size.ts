@@ -2,7 +2,7 @@ import { durationOf } from "../../document/limits";
 import { mainTrack, type Scene } from "../../document/scene";
 
 /** Characters of one row, by what real scenes take. */
-const ROW_CHARACTERS = { keyframes: 34, csv: 36, json: 24 };
+const ROW_CHARACTERS = { keyframes: 34, csv: 53, json: 35 };
 
 export interface ExportSize {
   readonly rows: number;

@@ -55,6 +55,7 @@ export function ExportDialog({ dialogs, services }: DialogProps) {
           name="Motion, JSON"
           text={`Times, and for each the place of every agent: ${frames}.`}
           size={exportSize(scene, "json")}
+          unit="places"
           notes={[]}
           write={async () =>
             services.saveFile("motion.json", await engine.writeMotion(scene, "json"), "application/json")
@@ -69,12 +70,14 @@ interface ExportRowProps {
   readonly name: string;
   readonly text: string;
   readonly size: { readonly rows: number; readonly bytes: number };
+  /** What there are so many of. */
+  readonly unit?: string;
   /** What the file cannot hold. */
   readonly notes: readonly string[];
   write(): Promise<void>;
 }
 
-function ExportRow({ name, text, size, notes, write }: ExportRowProps) {
+function ExportRow({ name, text, size, unit = "rows", notes, write }: ExportRowProps) {
   const [state, setState] = useState<"ready" | "writing" | "written" | { readonly refused: string }>("ready");
   const run = async () => {
     setState("writing");
@@ -91,7 +94,7 @@ function ExportRow({ name, text, size, notes, write }: ExportRowProps) {
         <h3>{name}</h3>
         <p>{text}</p>
         <p class="number">
-          {formatCount(size.rows)} rows, {bytesWords(size.bytes)}
+          {formatCount(size.rows)} {unit}, {bytesWords(size.bytes)}
         </p>
         {notes.length > 0 && <p class="export-notes">{notes.join(" ")}</p>}
         <p role="status">

@@ -27,7 +27,7 @@ export function Candidates({ report, isAuto, isFormer }: CandidatesProps) {
   const rows = isWhole ? allOfThem(candidates) : bestOfEach(candidates);
   const title = isAuto ? `Why auto chose ${methodWord(report.choice.method)}` : "Methods compared";
   return (
-    <Section title={title} note="lower score is better" isFormer={isFormer}>
+    <Section title={title} note="at 17 instants; lower is better" isFormer={isFormer}>
       <table class="candidates number">
         <thead>
           <tr>

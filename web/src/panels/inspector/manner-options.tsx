@@ -1,6 +1,5 @@
 import { setTransition, type TransitionOptions } from "../../document/commands/transitions";
-import { type Choice, mainTrack, type Segment } from "../../document/scene";
-import { WordAction } from "../action-button";
+import type { Choice, Segment } from "../../document/scene";
 import { Row } from "../controls/row";
 import { Select } from "../controls/select";
 import { Switch } from "../controls/switch";
@@ -28,11 +27,6 @@ export function MannerOptions(props: { index: number; segment: Segment; choice: 
         />
       )}
       <HierarchyRows index={index} segment={segment} choice={choice} />
-      {mainTrack(document.scene.value).segments.length > 1 && (
-        <WordAction id="use-everywhere" class="button quiet use-everywhere">
-          Use for every transition
-        </WordAction>
-      )}
     </>
   );
 }

@@ -67,6 +67,11 @@ export function TransitionPanel({ index }: { index: number }) {
           <WordAction id="modes" class="button">
             Modes
           </WordAction>
+          {track.segments.length > 1 && (
+            <WordAction id="use-everywhere" class="button">
+              Use for every transition
+            </WordAction>
+          )}
         </div>
       </Section>
       <AssignmentPart key={index} index={index} segment={segment} />

@@ -42,7 +42,7 @@ export const ALIGNMENTS: readonly NotedWord<Alignment>[] = [
 export const TIMINGS: readonly NotedWord<Timing>[] = [
   { value: "smooth", label: "Smooth", note: "soft at stops" },
   { value: "linear", label: "Linear", note: "no easing" },
-  { value: "even", label: "Even", note: "one steady speed" },
+  { value: "even", label: "Even", note: "steady, may step at keyframes" },
 ];
 
 export const JOINS: readonly (Word<Join> & { readonly text: string })[] = [

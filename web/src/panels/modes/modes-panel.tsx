@@ -55,7 +55,13 @@ export function ModesPanel() {
 
   return (
     <SidePanel name="Modes" title={<span class="ellipsis">{keyframeLabel(scene, keyframe)}</span>}>
-      {agentCount === 0 && <Note>There is nobody on the stage yet. Draw a formation to see its modes.</Note>}
+      {agentCount === 0 && (
+        <Note>
+          {track.agents.length === 0
+            ? "There is nobody on the stage yet. Draw a formation to see its modes."
+            : "Everybody is absent here. Bring somebody back to see the modes of those who stand there."}
+        </Note>
+      )}
       {latest.problem && <Note>{latest.problem.what}</Note>}
       {agentCount > 0 && !basis && !latest.problem && <Note>Finding the modes …</Note>}
       {basis && formation && agentCount > 0 && (

@@ -9,7 +9,7 @@ const KNOWN = "eigenform.hints-known";
 const WORDS: Readonly<Record<HintStep, { readonly what: string; readonly how: string }>> = {
   draw: { what: "Start with Draw.", how: "Press and pull a line across the stage." },
   next: { what: "Now the next formation.", how: "Add a keyframe, then draw where they go." },
-  play: { what: "See them move.", how: "Press Play, or the space bar." },
+  play: { what: "See them move.", how: "Press Play." },
 };
 
 /** Three words of help to whoever starts on an empty stage, each at the control it speaks of; never in the way. */

@@ -53,7 +53,7 @@ export function KeyframeOption(props: KeyframeOptionProps) {
           <StatusWedge status="clash" />
         </i>
       )}
-      <span class="thumbnail">{props.paint && <Thumbnail formation={keyframe.positions} {...props.paint} />}</span>
+      <span class="thumbnail">{props.paint && <Thumbnail keyframe={keyframe} {...props.paint} />}</span>
       <span ref={roomForName(props.nameWidth)} class={props.nameWidth > 0 ? "keyframe-name" : "keyframe-name is-aside"}>
         {mark === "dragged" ? shortTime(Math.round(keyframe.time * 100) / 100) : name}
       </span>

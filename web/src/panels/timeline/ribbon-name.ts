@@ -12,7 +12,7 @@ export function ribbonName(
   const method = METHOD_WORDS[plan.report.choice.method];
   if (!near || !closest) return `Transition ${names}: ${method}`;
   const fares = status === "none" ? "" : `${status}, `;
-  const where = status === "holds" ? "" : ` at ${shortTime(Math.round(closest.time * 10) / 10)}`;
+  const where = status === "holds" ? "" : ` at ${shortTime(closest.time)}`;
   const nearness = isDistance(closest) ? `clearance ${near}` : near;
   return `Transition ${names}: ${method}, ${fares}${nearness}${where}`;
 }

@@ -1,4 +1,4 @@
-import type { Formation } from "../../document/formation";
+import type { Keyframe } from "../../document/scene";
 import type { Palette } from "../../stage/palette";
 import { clamp, neighborSpacing } from "../../stage/spacing";
 
@@ -6,11 +6,11 @@ const PADDING = 7;
 const SMALLEST_DISC = 0.9;
 const LARGEST_DISC = 2.6;
 
-/** Draws a formation to fill a canvas of width × height CSS pixels; `colors` are stored colors by agent. */
+/** Draws who is there to fill a canvas of width × height CSS pixels; `colors` are stored colors by agent. */
 export function drawFormation(
   canvas: HTMLCanvasElement,
   size: { readonly width: number; readonly height: number },
-  formation: Formation,
+  { positions: formation, absent }: Pick<Keyframe, "positions" | "absent">,
   colors: readonly string[],
   palette: Palette,
 ): void {
@@ -30,7 +30,9 @@ export function drawFormation(
   context.translate(size.width / 2, size.height / 2);
   // One path a color: a hundred thumbnails of a thousand agents are drawn while somebody scrolls.
   const paths = new Map<string, Path2D>();
+  const isAbsent = new Set(absent);
   for (let agent = 0; agent < formation.agentCount; agent += 1) {
+    if (isAbsent.has(agent)) continue;
     const x = (formation.x(agent) - (left + right) / 2) * scale;
     const y = ((bottom + top) / 2 - formation.y(agent)) * scale;
     const color = colors[agent] ?? "";
