@@ -37,6 +37,10 @@ export function PopoverButton(props: PopoverProps) {
         popovertarget={id}
         data-tip={props.tip}
         data-tip-side={props.tipSide}
+        onKeyDown={(event) => {
+          // The browser closes what is open: no shortcut takes the key before the focus is inside.
+          if (event.key === "Escape" && document.getElementById(id)?.matches(":popover-open")) event.stopPropagation();
+        }}
         onClick={(event) => {
           // What opens itself as it comes would be closed again by this very press.
           if (!isWanted.value) event.preventDefault();
