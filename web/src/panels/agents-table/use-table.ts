@@ -99,8 +99,10 @@ export function useTable(): TableAtWork {
     reveal(cell.row);
     const isHeading = rows.peek()[cell.row]?.kind === "heading";
     const name = `${cell.row}-${isHeading ? 0 : cell.column}`;
-    // The row may first have to be drawn.
-    requestAnimationFrame(() => scroller.current?.querySelector<HTMLElement>(`[data-cell="${name}"]`)?.focus());
+    // The row may first have to be drawn; whoever types by then keeps the focus.
+    requestAnimationFrame(() => {
+      if (!editing.peek()) scroller.current?.querySelector<HTMLElement>(`[data-cell="${name}"]`)?.focus();
+    });
   }
 
   function pickRow(row: number, picking: Picking): void {
