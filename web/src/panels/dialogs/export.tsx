@@ -9,7 +9,7 @@ import { useStudio } from "../studio";
 import { bytesWords, exportSize, frameCount } from "./export-size";
 import { Frame } from "./frame";
 import type { DialogProps } from "./host";
-import { useAnswer } from "./use-answer";
+import { type Answer, useAnswer } from "./use-answer";
 
 /** The keyframes or the motion as files that other tools read, and what they leave out. */
 export function ExportDialog({ dialogs, services }: DialogProps) {
@@ -38,7 +38,7 @@ export function ExportDialog({ dialogs, services }: DialogProps) {
           name="Keyframes, CSV"
           text="A row an agent and keyframe: time, group, x and y in meters."
           size={exportSize(scene, "keyframes")}
-          notes={keyframes.kind === "here" ? keyframes.value.notes : []}
+          losses={lossesOf(keyframes)}
           write={async () => {
             const { text } = await engine.writeKeyframes(scene);
             services.saveFile("keyframes.csv", text, "text/csv");
@@ -48,7 +48,6 @@ export function ExportDialog({ dialogs, services }: DialogProps) {
           name="Motion, CSV"
           text={`A row a frame and agent: ${frames}.`}
           size={exportSize(scene, "csv")}
-          notes={[]}
           write={async () => services.saveFile("motion.csv", await engine.writeMotion(scene, "csv"), "text/csv")}
         />
         <ExportRow
@@ -56,7 +55,6 @@ export function ExportDialog({ dialogs, services }: DialogProps) {
           text={`Times, and for each the place of every agent: ${frames}.`}
           size={exportSize(scene, "json")}
           unit="places"
-          notes={[]}
           write={async () =>
             services.saveFile("motion.json", await engine.writeMotion(scene, "json"), "application/json")
           }
@@ -66,18 +64,24 @@ export function ExportDialog({ dialogs, services }: DialogProps) {
   );
 }
 
+function lossesOf(keyframes: Answer<{ readonly notes: readonly string[] }>): string {
+  if (keyframes.kind === "waiting") return "Looking for what it leaves out …";
+  if (keyframes.kind === "refused") return keyframes.problem.what;
+  return keyframes.value.notes.join(" ") || "It holds all that this scene says.";
+}
+
 interface ExportRowProps {
   readonly name: string;
   readonly text: string;
   readonly size: { readonly rows: number; readonly bytes: number };
   /** What there are so many of. */
   readonly unit?: string;
-  /** What the file cannot hold. */
-  readonly notes: readonly string[];
+  /** What the file cannot hold, in words; its place is kept while they are not known: a button that is pressed must not move. */
+  readonly losses?: string;
   write(): Promise<void>;
 }
 
-function ExportRow({ name, text, size, unit = "rows", notes, write }: ExportRowProps) {
+function ExportRow({ name, text, size, unit = "rows", losses, write }: ExportRowProps) {
   const [state, setState] = useState<"ready" | "writing" | "written" | { readonly refused: string }>("ready");
   const run = async () => {
     setState("writing");
@@ -96,7 +100,7 @@ function ExportRow({ name, text, size, unit = "rows", notes, write }: ExportRowP
         <p class="number">
           {formatCount(size.rows)} {unit}, {bytesWords(size.bytes)}
         </p>
-        {notes.length > 0 && <p class="export-notes">{notes.join(" ")}</p>}
+        {losses !== undefined && <p class="export-losses">{losses}</p>}
         <p role="status">
           {state === "writing" && "Writing …"}
           {state === "written" && "Written to your downloads."}
