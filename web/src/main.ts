@@ -102,8 +102,6 @@ const intake: IntakeParts = {
   onPicture: (file) => dialogs.show({ kind: "shape", from: "picture", file }),
 };
 
-withdrawOutdated(store, messages);
-
 function showFromStart(): void {
   playback.pause();
   playback.seek(0);
@@ -270,6 +268,8 @@ const arrival: ArrivalParts = {
     settled = opened.scene;
     showFromStart();
     playWhereWelcome();
+    // That a link was refused is worth more.
+    if (messages.shown.peek().length > 0) return;
     const text = "Press New to draw formations of your own.";
     messages.say({ tone: "good", about: OPENING, title: "This is an example.", text });
   },
@@ -298,6 +298,7 @@ async function begin(): Promise<void> {
   }
   isSettled.value = true;
   keepScene(store, autosave, engine, settled);
+  withdrawOutdated(store, messages);
 }
 
 void begin();
