@@ -103,9 +103,12 @@ fn with_memory(size: usize, work: impl FnOnce(&mut MemStack)) {
     work(MemStack::new(&mut memory));
 }
 
-/// 1 for zero.
+/// Not above a positive value and more than half of it; 1 for zero.
 fn power_of_two_near(value: f64) -> f64 {
-    if value == 0.0 { 1.0 } else { value.log2().round().clamp(-1000.0, 1000.0).exp2() }
+    const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+    const SMALLEST: u64 = 0x3ff - 1000;
+    const GREATEST: u64 = 0x3ff + 1000;
+    if value == 0.0 { 1.0 } else { f64::from_bits((value.to_bits() >> MANTISSA_BITS).clamp(SMALLEST, GREATEST) << MANTISSA_BITS) }
 }
 
 #[cfg(test)]

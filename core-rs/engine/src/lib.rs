@@ -24,6 +24,7 @@ pub mod spectral;
 mod spline;
 pub mod text;
 pub mod transition;
+mod trig;
 
 /// Whether anything is compared: what only comparisons ask for is left out of an engine without.
 pub(crate) const COMPARES: bool = cfg!(feature = "comparison");

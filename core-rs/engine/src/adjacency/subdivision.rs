@@ -9,6 +9,7 @@ use super::joining::join_components;
 use super::triangulation::{Raw, triangulate};
 use crate::formation::principal_axes;
 use crate::order;
+use crate::trig::direction;
 
 /// A triangle whose height is at most this fraction of its longest side has no inside to speak of.
 ///
@@ -45,7 +46,7 @@ struct Corner {
 
 fn corner(points: &[DVec2], apex: u32, a: u32, b: u32) -> Corner {
     let (to_a, to_b) = (points[a as usize] - points[apex as usize], points[b as usize] - points[apex as usize]);
-    Corner { edge: (a.min(b), a.max(b)), angle: to_a.perp_dot(to_b).abs().atan2(to_a.dot(to_b)) }
+    Corner { edge: (a.min(b), a.max(b)), angle: libm::atan2(to_a.perp_dot(to_b).abs(), to_a.dot(to_b)) }
 }
 
 /// Whether the triangles at both sides of an edge have one circumcircle: then another diagonal would do as well.
@@ -62,7 +63,7 @@ fn is_sliver(points: &[DVec2], [a, b, c]: [u32; 3]) -> bool {
 
 /// Ties each agent to the next along the line they stand on.
 fn chain(points: &[DVec2]) -> Vec<Edge> {
-    let along = DVec2::from_angle(principal_axes(points).angle);
+    let along = direction(principal_axes(points).angle);
     let place = |point: &DVec2| order::key_of_two(order::of_real(along.dot(*point)), order::of_real(along.perp_dot(*point)));
     let ordered = order::by_key(points.iter().map(place));
     ordered.windows(2).map(|pair| (pair[0].min(pair[1]), pair[0].max(pair[1]))).collect()

@@ -3,6 +3,7 @@
 use glam::{DMat2, DVec2, DVec3};
 
 use crate::formation::principal_axes;
+use crate::trig::direction;
 
 /// Pairs whose spread across is less than this part of the spread along stand on a line and tell nothing about the other direction.
 const LINE: f64 = 1e-6;
@@ -10,7 +11,7 @@ const LINE: f64 = 1e-6;
 /// Everybody mirrored so that both ends of the longest direction in plan change places.
 pub(super) fn flip(points: &mut [DVec3]) {
     let plan: Vec<DVec2> = points.iter().map(|point| point.truncate()).collect();
-    let along = DVec2::from_angle(principal_axes(&plan).angle);
+    let along = direction(principal_axes(&plan).angle);
     let middle = mean(&plan);
     for (point, place) in points.iter_mut().zip(plan) {
         *point = (place - 2.0 * along.dot(place - middle) * along).extend(point.z);

@@ -30,7 +30,7 @@ pub fn principal_axes(points: &[DVec2]) -> PrincipalAxes {
     let (xx, xy, yy) = (xx / count, xy / count, yy / count);
     let (middle, half_gap) = (f64::midpoint(xx, yy), ((xx - yy) / 2.0).hypot(xy));
     // The difference of two near equals can come out a hair below zero.
-    PrincipalAxes { angle: 0.5 * (2.0 * xy).atan2(xx - yy), major: middle + half_gap, minor: (middle - half_gap).max(0.0) }
+    PrincipalAxes { angle: 0.5 * libm::atan2(2.0 * xy, xx - yy), major: middle + half_gap, minor: (middle - half_gap).max(0.0) }
 }
 
 #[cfg(test)]

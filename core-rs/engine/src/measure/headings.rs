@@ -22,7 +22,7 @@ impl Headings {
         if length <= self.least_step {
             return 0.0;
         }
-        let change = self.last[agent].map_or(0.0, |last| last.cross(step).length().atan2(last.dot(step)));
+        let change = self.last[agent].map_or(0.0, |last| libm::atan2(last.cross(step).length(), last.dot(step)));
         self.last[agent] = Some(step);
         self.turning[agent] += change;
         change

@@ -5,6 +5,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use crate::trig::{around, bearing, direction, turn};
 use glam::DVec2;
 
 use super::ObstacleShape;
@@ -62,7 +63,7 @@ impl Rim {
         let (mut straight_before, mut turned_before) = (0.0, 0.0);
         let corners = points.iter().enumerate().map(|(k, at)| {
             let (before, after) = (edge(k + count - 1), edge(k));
-            let (angle, turn) = if count == 1 { (0.0, TAU) } else { ((-before.perp()).to_angle(), before.angle_to(after).max(0.0)) };
+            let (angle, turn) = if count == 1 { (0.0, TAU) } else { (bearing(-before.perp()), turn(before, after).max(0.0)) };
             let corner = Corner { at: *at, angle, turn, edge: after, straight_before, turned_before };
             straight_before += after.length();
             turned_before += turn;
@@ -93,7 +94,7 @@ impl Rim {
             let straight = corner.straight_before + t * corner.edge.length();
             return Beside { straight, turned: corner.turned_before + corner.turn, clearance };
         }
-        let along = (out.to_angle() - corner.angle).rem_euclid(TAU);
+        let along = around(bearing(out) - corner.angle, TAU);
         // Round-off before the arc is its beginning, beyond it its end.
         let turned = if along <= corner.turn {
             along
@@ -113,7 +114,7 @@ impl Rim {
     /// The shorter way around, meters along that line, counterclockwise positive; of two equal ones the counterclockwise.
     pub fn travel(&self, from: &Beside, to: &Beside, clearance: f64) -> f64 {
         let whole = self.length(clearance);
-        let ahead = (self.along(to, clearance) - self.along(from, clearance)).rem_euclid(whole);
+        let ahead = around(self.along(to, clearance) - self.along(from, clearance), whole);
         if ahead <= whole * (0.5 + SAME_PLACE) { ahead } else { ahead - whole }
     }
 
@@ -122,7 +123,7 @@ impl Rim {
         let (corner, left) = self.piece(along, line);
         let arc = (self.radius + line) * corner.turn;
         let (at, normal) = if left < arc || corner.edge == DVec2::ZERO {
-            (corner.at, DVec2::from_angle(corner.angle + left / (self.radius + line)))
+            (corner.at, direction(corner.angle + left / (self.radius + line)))
         } else {
             let direction = corner.edge.normalize();
             (corner.at + (left - arc) * direction, -direction.perp())
@@ -143,7 +144,7 @@ impl Rim {
 
     /// The corner whose arc or straight piece is `along` the line at `line`, and how far beyond its beginning that is.
     fn piece(&self, along: f64, line: f64) -> (&Corner, f64) {
-        let along = along.rem_euclid(self.length(line));
+        let along = around(along, self.length(line));
         let begin = |corner: &Corner| corner.straight_before + (self.radius + line) * corner.turned_before;
         let after = self.corners.partition_point(|corner| begin(corner) <= along);
         let corner = &self.corners[after.saturating_sub(1)];

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use crate::trig::{bearing, direction, turn};
 use glam::DVec2;
 
 use super::{ObstacleShape, sides, signed_area};
@@ -106,7 +107,7 @@ impl Wall {
         let corner = |k: usize| {
             let (before, after) = (edge(k + count - 1), edge(k));
             let out = -before.perp();
-            (self.points[k], libm::atan2(out.y, out.x), libm::atan2(before.perp_dot(after), before.dot(after)))
+            (self.points[k], bearing(out), turn(before, after))
         };
         (0..count).map(corner).filter(|(.., turn)| *turn > 0.0).flat_map(|(at, angle, turn)| self.fan(at, angle, turn)).collect()
     }
@@ -115,17 +116,16 @@ impl Wall {
         let pieces = (turn / TAU * BENDS).ceil();
         let (step, reach) = (turn / pieces, self.reach);
         // Not past the arc's own ends, where a straight piece goes on.
-        let tangent = move |at: f64| unit(angle + at.clamp(0.0, pieces) * step).perp();
+        let tangent = move |at: f64| direction(angle + at.clamp(0.0, pieces) * step).perp();
         let ends = move |at: f64| {
-            if turn < TAU { [tangent(at - 0.5), tangent(at + 0.5)] } else { [-0.5, 0.5].map(|by| unit(angle + (at + by) * step).perp()) }
+            if turn < TAU {
+                [tangent(at - 0.5), tangent(at + 0.5)]
+            } else {
+                [-0.5, 0.5].map(|by| direction(angle + (at + by) * step).perp())
+            }
         };
-        (0..=pieces as usize).map(move |k| Bend { at: corner + reach * unit(angle + k as f64 * step), along: ends(k as f64) })
+        (0..=pieces as usize).map(move |k| Bend { at: corner + reach * direction(angle + k as f64 * step), along: ends(k as f64) })
     }
-}
-
-/// The same on every machine.
-fn unit(angle: f64) -> DVec2 {
-    DVec2::new(libm::cos(angle), libm::sin(angle))
 }
 
 fn nearest_on(from: DVec2, to: DVec2, place: DVec2) -> DVec2 {

@@ -28,7 +28,7 @@ fn procrustes(correlation: &Correlation) -> f64 {
     if correlation.along.hypot(correlation.across) <= UNRELATED * correlation.scale {
         return 0.0;
     }
-    wrap(correlation.across.atan2(correlation.along), HALF_TURN_SNAP)
+    wrap(libm::atan2(correlation.across, correlation.along), HALF_TURN_SNAP)
 }
 
 /// The turn between the principal axes; of its two directions the one that brings the agents nearer to their targets.
@@ -39,7 +39,7 @@ fn principal(source: &Formation, target: &Formation) -> f64 {
     };
     let ahead = wrap(to - from, HALF_TURN_SNAP);
     let behind = wrap(to - from + PI, HALF_TURN_SNAP);
-    let gain = correlation.along * ahead.cos() + correlation.across * ahead.sin();
+    let gain = correlation.along * libm::cos(ahead) + correlation.across * libm::sin(ahead);
     if gain.abs() <= UNRELATED * correlation.scale {
         // Both fit equally well: the shorter way, so that the answer does not hang on where the axes of the stage point.
         return if behind.abs() < ahead.abs() { behind } else { ahead };
@@ -56,7 +56,7 @@ fn axis_angle(formation: &Formation) -> Option<f64> {
         .map(|p| *p - center)
         .fold((0.0, 0.0, 0.0), |(xx, xy, yy), p| (xx + p.x * p.x, xy + p.x * p.y, yy + p.y * p.y));
     let spread = (xx - yy).hypot(2.0 * xy);
-    (spread > ROUND * (xx + yy)).then(|| 0.5 * (2.0 * xy).atan2(xx - yy))
+    (spread > ROUND * (xx + yy)).then(|| 0.5 * libm::atan2(2.0 * xy, xx - yy))
 }
 
 /// How the positions of two formations about their barycenters go together.

@@ -1,5 +1,6 @@
 //! How the coefficients of the modes, or the places of agents about their barycenter, run between two ends.
 
+use crate::trig;
 use glam::DVec2;
 
 use super::angle::{HALF_TURN_SNAP, wrap};
@@ -73,7 +74,7 @@ pub(super) fn write_pair(coefficients: impl Iterator<Item = DVec2>, size: Option
 pub(super) fn bearing(from: DVec2, to: DVec2, common: f64, greatest: f64) -> (f64, f64) {
     let radii = [from.length(), to.length()];
     let least = radii[0].min(radii[1]);
-    let (angle, end) = (from.to_angle(), to.to_angle());
+    let (angle, end) = (trig::bearing(from), trig::bearing(to));
     if least > TINY_RADIUS * greatest {
         (angle, common + wrap(end - angle - common, f64::max(HALF_TURN_SNAP, ROUND_OFF * greatest / least)))
     } else if radii[0] <= TINY_RADIUS * greatest {
@@ -99,7 +100,7 @@ impl Curve {
 
     fn at(&self, t: f64) -> DVec2 {
         let radius = (1.0 - t) * self.radii[0] + t * self.radii[1];
-        radius * DVec2::from_angle(self.angle + t * self.turn) + (1.0 - t) * self.residuals[0] + t * self.residuals[1]
+        radius * trig::direction(self.angle + t * self.turn) + (1.0 - t) * self.residuals[0] + t * self.residuals[1]
     }
 }
 

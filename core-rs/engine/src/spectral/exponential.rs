@@ -7,6 +7,9 @@ use faer::{Mat, MatRef};
 
 use super::eigenspaces::Eigenspaces;
 use super::planes::Planes;
+use glam::DVec2;
+
+use crate::trig::direction;
 use eigenform_dense::{columns, lower_square, product, skew_part, symmetric_eigen};
 
 impl Planes {
@@ -29,7 +32,7 @@ impl Planes {
             }
         }
         let cayley = Self::within(&spaces, image.as_ref());
-        let angles = cayley.angles().iter().map(|angle| 2.0 * (0.5 * angle).tan()).collect();
+        let angles = cayley.angles().iter().map(|angle| 2.0 * libm::tan(0.5 * angle)).collect();
         Self::with_angles(cayley.basis().to_owned(), angles)
     }
 
@@ -75,7 +78,7 @@ impl Planes {
     pub(crate) fn matrix(&self, power: f64) -> Mat<f64> {
         let mut turned = self.basis().to_owned();
         for (plane, angle) in self.angles().iter().enumerate() {
-            let (sin, cos) = (power * angle).sin_cos();
+            let DVec2 { x: cos, y: sin } = direction(power * angle);
             for row in 0..turned.nrows() {
                 let (v, w) = (turned[(row, 2 * plane)], turned[(row, 2 * plane + 1)]);
                 (turned[(row, 2 * plane)], turned[(row, 2 * plane + 1)]) = (v * cos + w * sin, w * cos - v * sin);
@@ -134,9 +137,9 @@ mod tests {
     fn velocities_are_the_logarithm_applied() {
         let logarithm = skew(9, &[0.3, 1.5, 2.9], 3);
         let planes = Planes::of_logarithm(logarithm.as_ref());
-        let rows: Vec<glam::DVec2> = (0..9).map(|i| glam::DVec2::new(f64::from(i), 4.0 - f64::from(i * i))).collect();
+        let rows: Vec<DVec2> = (0..9).map(|i| DVec2::new(f64::from(i), 4.0 - f64::from(i * i))).collect();
         for (row, velocity) in planes.velocities(&rows).into_iter().enumerate() {
-            let expected: glam::DVec2 = rows.iter().enumerate().map(|(column, p)| *p * logarithm[(row, column)]).sum();
+            let expected: DVec2 = rows.iter().enumerate().map(|(column, p)| *p * logarithm[(row, column)]).sum();
             // Three products of nine terms up to 60.
             assert!(velocity.distance(expected) < 1e-11, "{velocity} {expected}");
         }

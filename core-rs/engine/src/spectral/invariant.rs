@@ -90,7 +90,7 @@ fn line(cosine: f64) -> Block {
 fn plane(cosine: f64, sine: f64) -> Blocks {
     let mut basis = Mat::identity(2, 2);
     basis[(1, 1)] = sine.signum();
-    Blocks { basis, blocks: vec![Block::Plane(sine.abs().atan2(cosine))] }
+    Blocks { basis, blocks: vec![Block::Plane(libm::atan2(sine.abs(), cosine))] }
 }
 
 /// Takes a direction v, its plane with K v, and goes on in what is left, until nothing is.
@@ -117,7 +117,7 @@ fn deflate(matrix: MatRef<'_, f64>, skew: MatRef<'_, f64>, mut candidates: Mat<f
             basis.col_mut(taken).copy_from(&turned);
             orthonormalize(&mut basis, taken);
             let across = basis.col(taken).transpose() * &turned;
-            blocks.push(Block::Plane(across.atan2(cosine)));
+            blocks.push(Block::Plane(libm::atan2(across, cosine)));
             taken += 1;
         }
         for mut candidate in candidates.col_iter_mut() {

@@ -1,5 +1,6 @@
 //! How coefficients pass several keyframes: cubics of radius and unwrapped angle with one velocity at each (paper A, equation 5).
 
+use crate::trig::direction;
 use glam::DVec2;
 
 use super::coefficients::{TINY_RADIUS, bearing, greatest_radius, write_pair};
@@ -137,7 +138,7 @@ impl Curve {
     /// A radius never falls below 0; residuals fade without changing a velocity.
     fn at(&self, weights: [f64; 4]) -> DVec2 {
         let [from, to] = self.residuals;
-        mix(weights, self.radius).max(0.0) * DVec2::from_angle(mix(weights, self.angle)) + weights[0] * from + weights[2] * to
+        mix(weights, self.radius).max(0.0) * direction(mix(weights, self.angle)) + weights[0] * from + weights[2] * to
     }
 }
 

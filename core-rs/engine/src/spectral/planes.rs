@@ -4,6 +4,7 @@
 
 use std::f64::consts::PI;
 
+use crate::trig::direction;
 use faer::{Mat, MatRef};
 use glam::{DVec2, DVec3};
 
@@ -81,7 +82,7 @@ impl Planes {
     pub(crate) fn turn(&self, power: f64, columns: &mut [f64]) {
         let size = self.basis.ncols();
         for (plane, angle) in self.angles.iter().enumerate() {
-            let (sin, cos) = (power * angle).sin_cos();
+            let DVec2 { x: cos, y: sin } = direction(power * angle);
             for start in (2 * plane..columns.len()).step_by(size) {
                 let (x, y) = (columns[start], columns[start + 1]);
                 (columns[start], columns[start + 1]) = (x * cos - y * sin, x * sin + y * cos);

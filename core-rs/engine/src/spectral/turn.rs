@@ -1,11 +1,12 @@
 //! The turn that is taken out between two formations: an angle on the plane, a rotation in space.
 
-use glam::{DQuat, DVec2, DVec3};
+use glam::{DQuat, DVec3};
 
 use super::alignment::turn_between;
 use super::space::{rotation_between, thinnest};
 use crate::choice::Alignment;
 use crate::formation::Formation;
+use crate::trig::direction;
 
 /// How the source turns into the target as a whole.
 #[derive(Clone, Copy, Debug)]
@@ -34,7 +35,7 @@ impl Turn {
     /// What the turn took to `place`, both seen from the barycenter.
     pub(super) fn back(self, place: DVec3) -> DVec3 {
         match self {
-            Self::Level(angle) => DVec2::from_angle(-angle).rotate(place.truncate()).extend(place.z),
+            Self::Level(angle) => direction(-angle).rotate(place.truncate()).extend(place.z),
             Self::Free { rotation, .. } => rotation.conjugate() * place,
         }
     }

@@ -191,7 +191,7 @@ impl Heading {
             let (across, along) = (last.perp_dot(direction), last.dot(direction));
             // Who goes straight back turns left, whatever the round-off.
             let is_back = along < 0.0 && across.abs() < SLOWEST;
-            self.turned += if is_back { std::f64::consts::PI } else { across.atan2(along) };
+            self.turned += if is_back { std::f64::consts::PI } else { libm::atan2(across, along) };
         }
         self.direction = Some(direction);
         self.turned

@@ -16,6 +16,7 @@ use super::chain::{Chain, End};
 use super::course::Course;
 use crate::formation::Formation;
 use crate::spectral::cubic_weights;
+use crate::trig::direction;
 
 /// A segment of a chain that follows a path, or passes a keyframe beside one that does.
 #[derive(Clone, Debug)]
@@ -134,7 +135,7 @@ impl Transition for Traveling {
             let plan = &mut plan[frame.clone()];
             let heights = heights.as_deref_mut().map(|heights| &mut heights[frame]);
             let ((center, _), (place, turn)) = (self.plain.at(*t), self.led.at(*t));
-            let turn = DVec2::from_angle(turn);
+            let turn = direction(turn);
             for spot in plan {
                 *spot = place.truncate() + turn.rotate(*spot - center.truncate());
             }
@@ -147,7 +148,7 @@ impl Transition for Traveling {
 
 /// The formation turned about its barycenter.
 pub fn turned(formation: &Formation, angle: f64) -> Formation {
-    let (center, turn) = (formation.barycenter(), DVec2::from_angle(angle));
+    let (center, turn) = (formation.barycenter(), direction(angle));
     let plan = formation.positions().iter().map(|spot| center + turn.rotate(*spot - center)).collect();
     match formation.heights() {
         Some(heights) => Formation::spatial(plan, heights.to_vec()),

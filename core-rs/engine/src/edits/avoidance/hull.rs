@@ -6,6 +6,7 @@ use eigenform_apart::Outline;
 use glam::DVec2;
 
 use crate::obstacle::hull;
+use crate::trig::direction;
 
 /// Corners of the circle about a corner.
 const ROUND_CORNERS: usize = 16;
@@ -18,7 +19,7 @@ pub(super) fn grown(outline: &Outline, reach: f64) -> Vec<DVec2> {
     let radius = (outline.radius + reach) / libm::cos(PI / ROUND_CORNERS as f64);
     let corner = |k: usize| {
         let angle = TAU * k as f64 / ROUND_CORNERS as f64;
-        DVec2::new(libm::cos(angle), libm::sin(angle)) * radius
+        direction(angle) * radius
     };
     outline.points.iter().flat_map(|p| (0..ROUND_CORNERS).map(move |k| DVec2::from_array(*p) + corner(k))).collect()
 }

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use glam::{DQuat, DVec3};
+use crate::trig::direction;
+use glam::{DQuat, DVec2, DVec3};
 
 use super::super::angle::HALF_TURN_SNAP;
 use super::super::coefficients::{ROUND_OFF, TINY_RADIUS};
@@ -36,7 +37,7 @@ impl Arcs {
         assert_eq!(source.len(), target.len(), "both ends have the same modes");
         let greatest = source.iter().chain(target).map(|c| c.length()).fold(0.0, f64::max);
         let sine = DVec3::new(rotation.x, rotation.y, rotation.z);
-        let (axis, angle) = (sine.try_normalize().unwrap_or(DVec3::Z), 2.0 * sine.length().atan2(rotation.w));
+        let (axis, angle) = (sine.try_normalize().unwrap_or(DVec3::Z), 2.0 * libm::atan2(sine.length(), rotation.w));
         let back = rotation.conjugate();
         let modes = source.iter().zip(target).map(|(from, to)| Arc::between(*from, back * *to, thinnest, greatest)).collect();
         let mut all = Self { modes, axis, angle, sizes: None };
@@ -81,7 +82,8 @@ impl Arcs {
     }
 
     fn turned(&self, t: f64) -> impl Iterator<Item = DVec3> {
-        let turn = DQuat::from_axis_angle(self.axis, t * self.angle);
+        let half = direction(0.5 * t * self.angle);
+        let turn = DQuat::from_vec4((self.axis * half.y).extend(half.x));
         self.modes.iter().map(move |arc| turn * arc.at(t))
     }
 }
@@ -98,7 +100,7 @@ impl Arc {
             arc.start = if lengths[0] < lengths[1] { end } else { start };
             return arc;
         }
-        let angle = start.cross(end).length().atan2(start.dot(end));
+        let angle = libm::atan2(start.cross(end).length(), start.dot(end));
         if angle >= PI - f64::max(HALF_TURN_SNAP, ROUND_OFF * greatest / least) {
             arc.angle = PI;
             arc.across = perpendicular(start, thinnest).cross(start);
@@ -111,7 +113,7 @@ impl Arc {
 
     fn at(&self, t: f64) -> DVec3 {
         let length = (1.0 - t) * self.lengths[0] + t * self.lengths[1];
-        let (sin, cos) = (t * self.angle).sin_cos();
+        let DVec2 { x: cos, y: sin } = direction(t * self.angle);
         length * (cos * self.start + sin * self.across)
     }
 }
