@@ -2,7 +2,7 @@ import { defineConfig } from "vite";
 
 /** What the inspector of a whole scene shows and does, and others too. */
 const CONTROLS =
-  /panels.controls|panels.inspector.(words|quantities|section|head|minimum|group-list|propose-groups)|document.(commands.(ties|scene)|edit|limits)|lucide/;
+  /panels.controls|panels.inspector.(words|quantities|section|head|minimum|group-list|propose-groups)|document.(commands.scene|limits)|lucide/;
 
 export default defineConfig({
   root: "web",
@@ -28,7 +28,7 @@ export default defineConfig({
             { name: "first", tags: ["$initial"], priority: 1 },
             { name: "controls", test: CONTROLS, minShareCount: 2 },
             { name: "inspector", test: /panels.inspector/, minShareCount: 2 },
-            { name: "edits", test: /document.(commands|box|snap|round)/, minShareCount: 2 },
+            { name: "edits", test: /document.(commands|box|snap|round|edit|parts|between|cut)/, minShareCount: 2 },
           ],
         },
       },

@@ -84,10 +84,11 @@ test("a new show runs through its keyframes, and stops where one is a corner", a
   });
 });
 
-for (const [name, segment, most] of [
-  ["linear", { method: "linear" }, 0.3],
-  ["spectral", { method: "spectral" }, 0.3],
-  ["what auto took", {}, 0.3],
+for (const [name, segment] of [
+  ["linear", { method: "linear" }],
+  ["spectral", { method: "spectral" }],
+  ["what auto took", {}],
+  ["a crowd kept apart", { method: "crowd", avoidance: true }],
 ] as const) {
   test(`a keyframe at the playhead leaves the motion where it was: ${name}`, async ({ studio, page }) => {
     await studio.openFirst();
@@ -108,7 +109,7 @@ for (const [name, segment, most] of [
         furthest = Math.max(furthest, Math.hypot(px - x, py - y));
       }
     }
-    test.info().annotations.push({ type: "deviation", description: `${furthest.toFixed(3)} m` });
-    expect(furthest).toBeLessThan(most);
+    // The page's places are numbers of 24 bits: a millionth of what they count.
+    expect(furthest).toBeLessThan(1e-4);
   });
 }

@@ -1,10 +1,15 @@
-import type { Track } from "./scene";
+import type { Keyframe, Track } from "./scene";
 
 const NOBODY: readonly number[] = [];
 
 /** Who is not there on the way of a transition, ascending: whoever is absent at both of its ends. */
 export function goneIn({ keyframes }: Track, segment: number): readonly number[] {
-  const [from, to] = [keyframes[segment]?.absent ?? NOBODY, keyframes[segment + 1]?.absent ?? NOBODY];
+  return goneOnTheWay(keyframes[segment], keyframes[segment + 1]);
+}
+
+/** The same from any keyframe to another. */
+export function goneOnTheWay(source: Keyframe | undefined, target: Keyframe | undefined): readonly number[] {
+  const [from, to] = [source?.absent ?? NOBODY, target?.absent ?? NOBODY];
   return from.length === 0 || to.length === 0 ? NOBODY : from.filter((agent) => to.includes(agent));
 }
 

@@ -1,10 +1,12 @@
+import { withAlikeParts } from "./parts";
 import { type AdjacencySpec, type Keyframe, mainTrack, type Scene, type Segment, type Track } from "./scene";
+import { endsAround, liesBetween } from "./stretches";
 
-/** The scene with its one track changed; the same scene when the track is. */
+/** The scene with its one track changed; the same scene when the track is. Parts of one transition stay alike. */
 export function updateTrack(scene: Scene, change: (track: Track) => Track): Scene {
   const track = mainTrack(scene);
   const next = change(track);
-  return next === track ? scene : { ...scene, tracks: [next] };
+  return next === track ? scene : { ...scene, tracks: [withAlikeParts(next)] };
 }
 
 /** The scene with one keyframe changed. A new formation or adjacency makes auto choose its transitions again. */
@@ -16,21 +18,26 @@ export function updateKeyframe(scene: Scene, index: number, change: (keyframe: K
     if (next === keyframe) return track;
     const keyframes = track.keyframes.with(index, next);
     const isMoved = (["positions", "absent", "adjacency"] as const).some((part) => next[part] !== keyframe[part]);
+    const isEnd = !liesBetween(track, index);
     return {
       ...track,
       keyframes,
-      segments: isMoved ? chooseAgain(track.segments, [index - 1, index]) : track.segments,
+      segments: isMoved && isEnd ? chooseAgain(track.segments, [index - 1, index]) : track.segments,
     };
   });
 }
 
-/** The scene with one transition changed. */
+/** The scene with one transition changed, all parts of it. */
 export function updateSegment(scene: Scene, index: number, change: (segment: Segment) => Segment): Scene {
   return updateTrack(scene, (track) => {
-    const segment = track.segments[index];
+    const [first] = endsAround(track, index);
+    const segment = track.segments[first];
     if (!segment) return track;
     const next = change(segment);
-    return next === segment ? track : { ...track, segments: track.segments.with(index, next) };
+    if (next === segment) return track;
+    // What a change leaves to auto is asked of every part.
+    const segments = chooseAgain(track.segments.with(first, next), next.chosen ? [] : [index]);
+    return { ...track, segments };
   });
 }
 

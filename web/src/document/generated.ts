@@ -210,6 +210,10 @@ hold: number,
  */
 corner: boolean, 
 /**
+ * It lies in a transition and bends it, instead of ending it: see [`Track::anchors`].
+ */
+between: boolean, 
+/**
  * `positions[i]` is always agent i.
  */
 positions: Formation, 

@@ -25,7 +25,9 @@ function scene(agents: Agent[], groups: Group[]): Scene {
     tracks: [
       {
         agents,
-        keyframes: [{ name: "", time: 0, hold: 0, corner: false, positions, absent: [], adjacency: null }],
+        keyframes: [
+          { name: "", time: 0, hold: 0, corner: false, between: false, positions, absent: [], adjacency: null },
+        ],
         segments: [],
       },
     ],

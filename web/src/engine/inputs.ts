@@ -1,5 +1,6 @@
 import { mainTrack, type Scene, type Segment } from "../document/scene";
 import { isStop } from "../document/stops";
+import { endsAround, stretchesOf } from "../document/stretches";
 
 /** All that a result depends on, by identity: equal inputs, same result. */
 export type Inputs = readonly unknown[];
@@ -18,6 +19,24 @@ export function tieInputs(scene: Scene, keyframe: number): Inputs {
  * where bases may be shared. So one moved agent changes two transitions, or four, or six.
  */
 export function segmentInputs(scene: Scene, segment: number): Inputs {
+  const track = mainTrack(scene);
+  const { anchors, whole } = stretchesOf(track);
+  if (whole === track) return wholeInputs(scene, segment);
+  const [from, to] = endsAround(track, segment);
+  const inputs = wholeInputs({ ...scene, tracks: [whole] }, anchors.indexOf(from));
+  return to - from > 1 ? [...inputs, ...partInputs(scene, segment, from, to)] : inputs;
+}
+
+/** What bends a part of a transition: the keyframes at its ends, and one more on either side that lies in the same one. */
+function partInputs(scene: Scene, segment: number, from: number, to: number): Inputs {
+  const inputs: unknown[] = [];
+  for (let keyframe = Math.max(from, segment - 1); keyframe <= Math.min(to, segment + 2); keyframe += 1) {
+    inputs.push(...tieInputs(scene, keyframe), mainTrack(scene).keyframes[keyframe]?.time);
+  }
+  return inputs;
+}
+
+function wholeInputs(scene: Scene, segment: number): Inputs {
   const track = mainTrack(scene);
   const passes = (keyframe: number) => !isStop(track, scene.join, keyframe);
   const beside = [passes(segment) ? segment - 1 : null, passes(segment + 1) ? segment + 1 : null];

@@ -6,7 +6,16 @@ import { SegmentMotion } from "./motion";
 import { eased, Show, showDuration } from "./show";
 
 function keyframe(time: number, hold: number, points: readonly Point[]): Keyframe {
-  return { name: "", time, hold, corner: false, positions: Formation.from(points), absent: [], adjacency: null };
+  return {
+    name: "",
+    time,
+    hold,
+    corner: false,
+    between: false,
+    positions: Formation.from(points),
+    absent: [],
+    adjacency: null,
+  };
 }
 
 function segment(timing: Timing): Segment {

@@ -23,7 +23,16 @@ function sceneOf(places: readonly Point[]): Scene {
       {
         agents: [],
         keyframes: [
-          { name: "", time: 0, hold: 0, corner: false, positions: Formation.from(places), absent: [], adjacency: null },
+          {
+            name: "",
+            time: 0,
+            hold: 0,
+            corner: false,
+            between: false,
+            positions: Formation.from(places),
+            absent: [],
+            adjacency: null,
+          },
         ],
         segments: [],
       },

@@ -5,7 +5,16 @@ import { Show } from "../playback/show";
 import { Onion } from "./onion";
 
 function keyframe(time: number, hold: number): Keyframe {
-  return { name: "", time, hold, corner: false, positions: Formation.from([[time, 0]]), absent: [], adjacency: null };
+  return {
+    name: "",
+    time,
+    hold,
+    corner: false,
+    between: false,
+    positions: Formation.from([[time, 0]]),
+    absent: [],
+    adjacency: null,
+  };
 }
 
 const track: Track = {

@@ -10,6 +10,7 @@ const stand = (time: number, absent: readonly number[]) => ({
   time,
   hold: 1,
   corner: false,
+  between: false,
   positions: Formation.from([
     [0, 0],
     [1, 0],

@@ -5,7 +5,16 @@ import type { Keyframe, Track } from "../document/scene";
 import { discRadius, fade, neighborSpacing, screenSpacing, spacingAt, transitionSpacing } from "./spacing";
 
 function keyframe(time: number, hold: number, points: readonly Point[]): Keyframe {
-  return { name: "", time, hold, corner: false, positions: Formation.from(points), absent: [], adjacency: null };
+  return {
+    name: "",
+    time,
+    hold,
+    corner: false,
+    between: false,
+    positions: Formation.from(points),
+    absent: [],
+    adjacency: null,
+  };
 }
 
 function row(count: number, distance: number): Point[] {

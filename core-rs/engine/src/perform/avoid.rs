@@ -2,41 +2,15 @@
 
 mod suggest;
 
-use serde::Serialize;
-
-pub use suggest::Suggestion;
-
 use super::brief::Brief;
 use super::innermost::innermost_groups;
+use super::outcome::Avoided;
 use super::tied;
 use crate::choice::Choice;
-use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Blocked, Breach, Deviation, Edited, ShutOff, judge};
+use crate::edits::{Avoidance, AvoidanceJob, AvoidanceStep, Deviation, Edited, judge};
 use crate::measure::{Clearance, Extreme};
 use crate::motion::{Approach, Motion, closeness};
 use crate::transition::Chain;
-
-/// What avoidance came to in a segment. Flat in the segment's report.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Avoided {
-    /// The nearest that any two came before; none for fewer than two agents.
-    pub guide_clearance: Option<Clearance>,
-    /// How far agents are from where the method has them, over agents and samples, meters.
-    pub deviation: Extreme,
-    /// Every meeting that is still too near, by time; empty when it is solved.
-    pub unsolved: Vec<Clearance>,
-    /// Everybody still too near to an obstacle, at the nearest.
-    pub blocked: Vec<Blocked>,
-    /// Who stands too near in a keyframe already.
-    pub breaches: Vec<Breach>,
-    /// Whom no way leads around obstacles: they go where the method has them.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub shut_off: Vec<ShutOff>,
-    /// The attempt that was kept, from 1; 0 when none was needed.
-    pub rung: usize,
-    /// What may help where it is not solved, the likeliest first.
-    pub suggestions: Vec<Suggestion>,
-}
 
 /// The work of keeping apart.
 pub(super) struct Avoiding {

@@ -6,11 +6,13 @@ use super::cast::Cast;
 use super::counterpart::Aside;
 use super::levels::node_way;
 use super::outline::outline;
+use super::performed::Performed;
 use super::travel::{Turnings, charted, travel};
 use crate::adjacency::AdjacencySpec;
 use crate::choice::{Choice, Join, MethodName, Timing};
 use crate::edits::Outline;
 use crate::formation::Formation;
+use crate::recent::Same;
 use crate::scene::{Agent, Group, Keyframe, Obstacle, PathSpec, Scene, Segment, TransitionSpec};
 use crate::transition::{Chain, End, Travel, Way, Ways};
 
@@ -18,7 +20,7 @@ use crate::transition::{Chain, End, Travel, Way, Ways};
 ///
 /// It holds the keyframes that matter and no others: a moved agent performs the two segments at its keyframe under `separate`, one
 /// more on either side where they meet with one velocity, and one more again where bases are shared.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub(super) struct Brief {
     keyframes: Vec<Seen>,
     pub(super) groups: Arc<Vec<Group>>,
@@ -49,6 +51,8 @@ pub(super) struct Brief {
     pub(super) aside: Aside,
     /// Whom it is of, where it is not of everybody.
     pub(super) cast: Option<Arc<Cast>>,
+    /// What it is a part of, where keyframes lie in its transition.
+    pub(super) whole: Option<Same<Performed>>,
 }
 
 /// A keyframe as a segment sees it.
@@ -99,7 +103,6 @@ impl Asked {
 impl Brief {
     /// Of segment `index`. `held`: by segment, what to use although it says `auto`; segments beyond its end hold nothing.
     pub(super) fn of(scene: &Scene, index: usize, held: &[Option<Choice>]) -> Self {
-        let track = scene.main_track();
         let asked = |segment: usize| Asked::of(scene, segment, held);
         let own = asked(index);
         let before = (!is_stop(scene, index)).then(|| asked(index - 1).beside());
@@ -111,6 +114,29 @@ impl Brief {
             first -= usize::from(!is_stop(scene, first));
             last += usize::from(!is_stop(scene, last));
         }
+        Self::among(scene, index, [first, last], own, [before, after])
+    }
+
+    /// Of segment `index`, which is a part of a transition that runs from keyframe `first` to keyframe `last`: what is asked of it is
+    /// to follow the motion of the `whole`, to bend it, and to keep agents apart.
+    pub(super) fn part(scene: &Scene, index: usize, [first, last]: [usize; 2], whole: Arc<Performed>) -> Self {
+        let Asked { transition, .. } = Asked::of(scene, first, &[]);
+        let follow = TransitionSpec {
+            method: MethodName::Linear,
+            timing: Timing::Linear,
+            avoidance: transition.avoidance,
+            ..TransitionSpec::default()
+        };
+        let own = Asked { transition: follow, held: None };
+        let [leaves, arrives] = whole.stops;
+        let passes = [index > first || !leaves, index + 1 < last || !arrives];
+        let seen = [index.saturating_sub(1).max(first), (index + 2).min(last)];
+        let brief = Self::among(scene, index, seen, own.clone(), passes.map(|is_passed| is_passed.then(|| own.clone())));
+        Self { paths: vec![None; brief.paths.len()], join: Join::Smooth, whole: Some(Same(whole)), ..brief }
+    }
+
+    fn among(scene: &Scene, index: usize, [first, last]: [usize; 2], own: Asked, beside: [Option<Asked>; 2]) -> Self {
+        let track = scene.main_track();
         let seen = |(index, keyframe): (usize, &Keyframe)| Seen {
             index,
             formation: keyframe.positions.clone(),
@@ -126,7 +152,7 @@ impl Brief {
             durations: known.windows(2).map(|pair| pair[1].time - departure(&pair[0])).collect(),
             paths: track.segments[first..last].iter().map(|Segment::Transition(transition)| transition.path.clone()).collect(),
             own,
-            beside: [before, after],
+            beside,
             join: scene.join,
             tension: scene.tension,
             is_in_space: !track.keyframes.iter().all(|keyframe| keyframe.positions.places().is_level()),
@@ -138,6 +164,7 @@ impl Brief {
             seed: scene.seed,
             aside: Aside::default(),
             cast: None,
+            whole: None,
         }
     }
 
@@ -265,6 +292,7 @@ impl PartialEq for Brief {
             && numbers(self) == numbers(other)
             && self.aside == other.aside
             && self.cast == other.cast
+            && self.whole == other.whole
             && (!self.has_crowd() || have_same_bodies(&self.agents, &other.agents))
             && (!self.has_edits() || self.seed == other.seed)
             && (!self.knows_obstacles() || Arc::ptr_eq(&self.obstacles, &other.obstacles))

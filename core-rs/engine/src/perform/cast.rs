@@ -88,8 +88,7 @@ impl Casting {
 
 /// Who is not absent at both ends of a segment.
 fn there(track: &Track, segment: usize) -> Vec<u32> {
-    let [from, to] = [segment, segment + 1].map(|end| &track.keyframes[end].absent);
-    let gone: Vec<u32> = from.iter().copied().filter(|agent| to.binary_search(agent).is_ok()).collect();
+    let gone = track.keyframes[segment].absent_too(&track.keyframes[segment + 1]);
     others(&gone, track.agents.len())
 }
 

@@ -7,10 +7,11 @@ use std::sync::Arc;
 use serde::Serialize;
 
 use super::Performer;
-use super::avoid::Avoided;
 use super::counterpart::{Aside, Counterpart};
 use super::job::{SegmentJob, Step};
+use super::outcome::Avoided;
 use super::performed::Performed;
+use super::whole::Whole;
 use crate::assignment::{self, Assignment, AssignmentSpec, Cost};
 use crate::choice::MethodName;
 use crate::error::Error;
@@ -174,14 +175,18 @@ pub enum ComparisonStep {
 }
 
 impl ComparisonJob {
-    /// Nothing is known yet. Refuses locks that contradict each other.
+    /// Nothing is known yet. A part of a transition is compared as the whole. Refuses locks that contradict each other.
     pub fn new(scene: &Scene, segment: usize, asked: Comparison, seats: &mut Seats) -> Result<Self, Error> {
-        let mut job = Self { scene: scene.clone(), segment, asked, seating: None, moving: None };
+        let (scene, segment) = match Whole::of(scene, segment, &[]) {
+            Some(whole) => (whole.scene, whole.index),
+            None => (scene.clone(), segment),
+        };
+        let mut job = Self { scene, segment, asked, seating: None, moving: None };
         if asked.cost != Cost::Keep {
-            let question = Question::of(scene, segment, asked.cost);
+            let question = Question::of(&job.scene, segment, asked.cost);
             match seats.0.get(&question) {
                 Some(seated) => job.sit(&seated),
-                None => job.seating = Some((question.begin(scene)?, question)),
+                None => job.seating = Some((question.begin(&job.scene)?, question)),
             }
         }
         Ok(job)

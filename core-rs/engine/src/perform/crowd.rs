@@ -1,36 +1,16 @@
 //! Leads a segment's agents along their guide by social forces, once it is known where the guide has them.
 
-use serde::Serialize;
-
 use super::brief::Brief;
 use super::counterpart::Counterpart;
-use super::hurry::Hurry;
 use super::innermost::innermost_groups;
+use super::outcome::Crowded;
 use crate::COMPARES;
-use crate::edits::{Aim, CrowdJob, CrowdRules, CrowdStep, Deviation, Ending, Feedback, Led, NO_GROUP};
+use crate::edits::{Aim, CrowdJob, CrowdRules, CrowdStep, Ending, Feedback, Led, NO_GROUP};
 use crate::measure::Extreme;
 use crate::motion::Motion;
 
 /// A crowd's guide keeps this far from obstacles at least, meters: the body of a person.
 const LEAST_CLEARANCE: f64 = 0.25;
-
-/// What the forces came to in a segment. Flat in the segment's report.
-#[derive(Debug, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Crowded {
-    /// How far agents are from their guide, over agents and samples, meters.
-    pub guide_deviation: Extreme,
-    /// How far they were from the target when the time was over, by forces alone, meters.
-    pub arrival_error: Extreme,
-    /// Seconds until everybody was there by forces alone; none when that was not waited for, or never.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub arrived_after: Option<f64>,
-    /// Who has to be faster than they can to be there in time; nobody where nothing is limited.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub hurried: Vec<Hurry>,
-    #[serde(skip)]
-    pub(super) deviation: Deviation,
-}
 
 /// The walk along a guide.
 pub(super) struct Crowding {

@@ -17,12 +17,14 @@ use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
 use super::tied;
 use super::trial::{Trial, chosen, with_resort};
+use super::whole::Part;
 use crate::COMPARES;
 use crate::choice::{Choice, MethodName};
 use crate::edits::Deviation;
 use crate::error::Error;
 use crate::measure;
 use crate::motion::{Motion, sample_times};
+use crate::recent::Same;
 use crate::scene::Scene;
 use crate::transition::{Chain, End, Transition, Travel, Way, Ways};
 
@@ -64,7 +66,17 @@ pub struct SegmentJob(Phase);
 enum Phase {
     /// Nothing is left to do.
     Done(Arc<Performed>),
+    /// What it is a part of is performed first.
+    Whole(Box<AsPart>),
     Work(Box<Work>),
+}
+
+/// Segment `index` of a scene, which is a part of the transition from one of two keyframes to the other.
+struct AsPart {
+    whole: SegmentJob,
+    scene: Scene,
+    index: usize,
+    ends: [usize; 2],
 }
 
 struct Work {
@@ -114,10 +126,16 @@ impl SegmentJob {
         Self(Phase::Work(Box::new(Work { scene, brief, stage: Stage::Tying(Vec::new()), resorts: Resorts::default(), steps: 0 })))
     }
 
+    /// A part of a transition, which is performed as a `whole`.
+    pub(super) fn part(whole: Self, scene: Scene, index: usize, ends: [usize; 2]) -> Self {
+        Self(Phase::Whole(Box::new(AsPart { whole, scene, index, ends })))
+    }
+
     /// The motion, as soon as it is settled: it can be played before it is measured.
     pub fn motion(&self) -> Option<&Motion> {
         match &self.0 {
             Phase::Done(performed) => Some(&performed.motion),
+            Phase::Whole(_) => None,
             Phase::Work(work) => {
                 // Of some agents it is no motion of all.
                 if let (Stage::Measuring(attempt), None) = (&work.stage, &work.brief.cast) { Some(&attempt.kept.motion) } else { None }
@@ -129,6 +147,15 @@ impl SegmentJob {
     pub fn step(&mut self, performer: &mut Performer) -> Result<Step, Error> {
         let work = match &mut self.0 {
             Phase::Done(result) => return Ok(Step::Done(result.clone())),
+            Phase::Whole(part) => {
+                return Ok(match part.whole.step(performer)? {
+                    Step::Progress(progress) => Step::Progress(PLANNING_SHARE * progress),
+                    Step::Done(whole) => {
+                        self.0 = performer.begin_part(&part.scene, part.index, part.ends, whole).0;
+                        Step::Progress(PLANNING_SHARE)
+                    }
+                });
+            }
             Phase::Work(work) => work,
         };
         let Some(result) = work.step(performer)? else { return Ok(Step::Progress(work.progress())) };
@@ -137,7 +164,7 @@ impl SegmentJob {
             Some(cast) => cast.fill(result),
         });
         let agent_count = result.motion.agent_count();
-        let matrices = PLAN_MATRICES[usize::from(work.brief.stops() != [true, true])];
+        let matrices = if work.brief.whole.is_some() { 0 } else { PLAN_MATRICES[usize::from(work.brief.stops() != [true, true])] };
         let bytes = size_of_val(result.motion.positions())
             + size_of_val(result.motion.heights().unwrap_or_default())
             + result.deviations().map(Deviation::byte_count).sum::<usize>()
@@ -211,9 +238,21 @@ impl Work {
             Stage::Tying(ends)
         } else {
             let chain = self.brief.chain(ends);
+            if let Some(Same(whole)) = &self.brief.whole {
+                return Ok(self.follow(whole, chain));
+            }
             let travel = self.brief.travel(&chain, &mut performer.turnings).map(Arc::new);
             Stage::Choosing(Choosing { chain, travel, trial: None, known: Vec::new(), candidates: Arc::default() })
         })
+    }
+
+    /// A part of a whole motion needs no plan of its own.
+    fn follow(&self, whole: &Arc<Performed>, chain: Chain) -> Stage {
+        let part = Part::new(whole.clone(), &chain, self.brief.start);
+        let ways = Ways::all(Way::of(whole.choice, false));
+        let candidates = Arc::new(whole.candidates.clone());
+        let plan = Plan { chain, travel: None, ways, hierarchy: None, ts: Arc::default(), candidates, crowded: None };
+        self.set_off(plan, Arc::new(part), Clock::Linear)
     }
 
     /// The choice of the next of the segments whose choices matter; `known` are those before.
@@ -355,6 +394,7 @@ impl Work {
             clock,
             start: brief.start,
             end: brief.end,
+            stops: brief.stops(),
         }
     }
 

@@ -19,6 +19,7 @@ mod innermost;
 mod job;
 mod levels;
 mod modes;
+mod outcome;
 mod outline;
 mod performed;
 mod plan;
@@ -30,6 +31,7 @@ mod text;
 mod tied;
 mod travel;
 mod trial;
+mod whole;
 
 use std::sync::Arc;
 
@@ -40,13 +42,12 @@ use crate::recent::Recent;
 use crate::scene::{Group, Obstacle, Scene};
 use crate::transition::Planner;
 
-pub use avoid::{Avoided, Suggestion};
 #[cfg(feature = "comparison")]
 pub use comparison::{Compared, ComparedWay, Comparison, ComparisonJob, ComparisonStep, Seats};
 pub use counterpart::{Aside, Counterpart};
-pub use crowd::Crowded;
 pub use hurry::Hurry;
 pub use job::{SegmentJob, Step};
+pub use outcome::{Avoided, Crowded, Suggestion};
 pub use performed::{Candidate, Performed, Report};
 pub use salvage::{Salvage, SalvageJob, SalvageReport, SalvageStep};
 pub use show::Performance;
@@ -57,6 +58,7 @@ use graphs::Graphs;
 use levels::Levels;
 use travel::Turnings;
 use trial::Tables;
+use whole::Whole;
 
 /// Motions of one segment of 1,260 agents over 10 s are 6 MB.
 const MOTION_BYTE_LIMIT: usize = 256 << 20;
@@ -127,8 +129,24 @@ impl Performer {
 
     /// As [`Self::begin`], with the segment moved as scenes cannot ask for it.
     pub fn begin_compared(&mut self, scene: &Scene, index: usize, held: &[Option<Choice>], aside: Aside) -> SegmentJob {
+        let Some(whole) = Whole::of(scene, index, held) else { return self.begin_whole(scene, index, held, aside) };
+        let job = self.begin_whole(&whole.scene, whole.index, &whole.held, aside);
+        if whole.has_parts() { SegmentJob::part(job, scene.clone(), index, whole.ends) } else { job }
+    }
+
+    fn begin_whole(&mut self, scene: &Scene, index: usize, held: &[Option<Choice>], aside: Aside) -> SegmentJob {
         let (scene, cast) = self.casting.of(scene, index);
         let brief = Brief::of(&scene, index, held).compared(aside).with_cast(cast);
+        self.known_or_new(scene, brief)
+    }
+
+    fn begin_part(&mut self, scene: &Scene, index: usize, ends: [usize; 2], whole: Arc<Performed>) -> SegmentJob {
+        let (scene, cast) = self.casting.of(scene, index);
+        let brief = Brief::part(&scene, index, ends, whole).with_cast(cast);
+        self.known_or_new(scene, brief)
+    }
+
+    fn known_or_new(&mut self, scene: Scene, brief: Brief) -> SegmentJob {
         match self.performed.get(&brief) {
             Some(known) => SegmentJob::done(known),
             None => SegmentJob::new(scene, brief),

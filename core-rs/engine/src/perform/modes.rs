@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::Performer;
 use super::travel::charted;
+use super::whole::Whole;
 use crate::error::Error;
 use crate::scene::{Scene, Segment};
 use crate::spectral::{Eigenbasis, ModeMatch, eigenvalues_between};
@@ -21,9 +22,11 @@ impl Performer {
         Ok((self.planner.eigenbasis(&adjacency), there))
     }
 
-    /// How alike the modes at both ends of segment `index` are: of the very bases that spectral turns into one another.
+    /// How alike the modes at both ends of segment `index` are, or of the transition that it is a part of: of the very bases that
+    /// spectral turns into one another.
     pub fn mode_match(&mut self, scene: &Scene, index: usize) -> Result<ModeMatch, Error> {
-        let scene = &self.casting.of(scene, index).0;
+        let (scene, index) = self.walked(scene, index);
+        let scene = &scene;
         let chain = Chain::between(self.end(scene, index)?, self.end(scene, index + 1)?);
         let Segment::Transition(transition) = &scene.main_track().segments[index];
         let chart = charted(chain, std::slice::from_ref(&transition.path), &mut self.turnings);
@@ -31,11 +34,20 @@ impl Performer {
         Ok(self.planner.mode_match(source, target))
     }
 
-    /// Eigenvalues of the graph that runs straight from one end of segment `index` to the other, at t = 0, 1/steps, …, 1.
+    /// Eigenvalues of the graph that runs straight from one end of that to the other, at t = 0, 1/steps, …, 1.
     pub fn eigenvalues_between(&mut self, scene: &Scene, index: usize, steps: usize) -> Result<Vec<Vec<f64>>, Error> {
-        let scene = &self.casting.of(scene, index).0;
+        let (scene, index) = self.walked(scene, index);
+        let scene = &scene;
         let [source, target] = [self.graph(scene, index)?, self.graph(scene, index + 1)?];
         Ok(eigenvalues_between(&source.laplacian(), &target.laplacian(), steps))
+    }
+
+    /// The scene of those who walk a transition, and its number there.
+    fn walked(&mut self, scene: &Scene, index: usize) -> (Scene, usize) {
+        match Whole::of(scene, index, &[]) {
+            Some(whole) => (self.casting.of(&whole.scene, whole.index).0, whole.index),
+            None => (self.casting.of(scene, index).0, index),
+        }
     }
 
     /// A keyframe with its ties.

@@ -6,9 +6,8 @@ use std::sync::Arc;
 use glam::DVec2;
 use serde::Serialize;
 
-use super::avoid::Avoided;
 use super::clock::Clock;
-use super::crowd::Crowded;
+use super::outcome::{Avoided, Crowded};
 use crate::choice::Choice;
 use crate::edits::{Blocked, Deviation};
 use crate::formation::Formation;
@@ -43,6 +42,8 @@ pub struct Performed {
     pub(super) clock: Clock,
     pub(super) start: f64,
     pub(super) end: f64,
+    /// Whether agents stop at its start and its end.
+    pub(super) stops: [bool; 2],
 }
 
 /// One way that `auto` tried.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::crowd::Crowded;
+use super::outcome::Crowded;
 use super::performed::Candidate;
 use crate::choice::Choice;
 use crate::transition::{Chain, Hierarchy, Travel, Way, Ways};

@@ -181,5 +181,13 @@ fn last_beside(scene: &Scene, index: usize) -> usize {
 }
 
 fn reach(scene: &Scene) -> usize {
-    if scene.join == Join::Separate { 0 } else { REACH }
+    let track = scene.main_track();
+    // A keyframe within a transition that others lie in makes two of it.
+    if track.keyframes.iter().any(|keyframe| keyframe.between) {
+        track.segments.len()
+    } else if scene.join == Join::Separate {
+        0
+    } else {
+        REACH
+    }
 }

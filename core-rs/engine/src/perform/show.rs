@@ -66,10 +66,7 @@ impl Performance {
         let keyframes = &self.scene.main_track().keyframes;
         match self.moment(time) {
             Moment::Standing(keyframe) => keyframes[keyframe].absent.clone(),
-            Moment::Moving(segment) => {
-                let [from, to] = [segment, segment + 1].map(|end| &keyframes[end].absent);
-                from.iter().copied().filter(|agent| to.binary_search(agent).is_ok()).collect()
-            }
+            Moment::Moving(segment) => keyframes[segment].absent_too(&keyframes[segment + 1]),
         }
     }
 

@@ -54,7 +54,16 @@ impl Default for Agent {
 
 impl Default for Keyframe {
     fn default() -> Self {
-        Self { name: String::new(), time: 0.0, hold: 0.0, corner: false, positions: Arc::default(), absent: Vec::new(), adjacency: None }
+        Self {
+            name: String::new(),
+            time: 0.0,
+            hold: 0.0,
+            corner: false,
+            between: false,
+            positions: Arc::default(),
+            absent: Vec::new(),
+            adjacency: None,
+        }
     }
 }
 

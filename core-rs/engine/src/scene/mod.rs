@@ -20,6 +20,7 @@ mod path;
 pub(crate) mod place;
 mod queries;
 pub mod recording;
+mod stretches;
 mod unsupported;
 mod validate;
 
@@ -202,6 +203,8 @@ pub struct Keyframe {
     pub hold: f64,
     /// Stop here although segments join smoothly.
     pub corner: bool,
+    /// It lies in a transition and bends it, instead of ending it: see [`Track::anchors`].
+    pub between: bool,
     /// `positions[i]` is always agent i.
     #[cfg_attr(feature = "types", ts(type = "Formation"))]
     #[serde(serialize_with = "document::flat")]

@@ -143,7 +143,7 @@ impl Chain {
     }
 
     /// Seconds from keyframe `pair` to the next; 1 where the join counts segments.
-    pub(super) fn duration(&self, pair: usize) -> f64 {
+    pub(crate) fn duration(&self, pair: usize) -> f64 {
         self.durations[pair]
     }
 

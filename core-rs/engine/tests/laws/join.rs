@@ -1,5 +1,6 @@
 //! The laws of segments that meet at keyframes without a stop.
 
+mod between;
 mod formula;
 mod meeting;
 mod obstacle_ties;

@@ -136,7 +136,16 @@ fn tempo() -> impl Strategy<Value = Tempo> {
 fn track(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strategy<Value = Track> {
     let agents = prop_oneof![Just(vec![Agent::default(); counts.agents]), vec(agent(), counts.agents)];
     (agents, keyframes(counts, keyframe_count, is_spatial), vec(segment(counts.agents, is_spatial), keyframe_count - 1))
-        .prop_map(|(agents, keyframes, segments)| Track { agents: Arc::new(agents), keyframes, segments })
+        .prop_map(|(agents, keyframes, segments)| with_alike_parts(Track { agents: Arc::new(agents), keyframes, segments }))
+}
+
+/// Parts of one transition say the same: any other scene is read as this one.
+fn with_alike_parts(mut track: Track) -> Track {
+    for ends in track.anchors().windows(2) {
+        let first = track.segments[ends[0]].clone();
+        track.segments[ends[0]..ends[1]].fill(first);
+    }
+    track
 }
 
 fn agent() -> impl Strategy<Value = Agent> {
@@ -151,19 +160,23 @@ fn agent() -> impl Strategy<Value = Agent> {
 
 fn keyframes(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl Strategy<Value = Vec<Keyframe>> {
     let times = vec((plain_or(4.0, 0.001..400.0), plain_or(0.0, 0.0..400.0)), keyframe_count);
-    let part =
-        (name(), any::<bool>(), formation(counts.agents, is_spatial), absent(counts.agents), option::weighted(0.2, adjacency(counts)));
+    let part = (name(), flags(), formation(counts.agents, is_spatial), absent(counts.agents), option::weighted(0.2, adjacency(counts)));
     let parts = vec(part, keyframe_count);
     (plain_or(0.0, 0.0..400.0), times, parts).prop_map(|(start, times, parts)| {
         let mut time = start;
         let mut keyframes = Vec::new();
-        for ((gap, hold), (name, corner, formation, absent, adjacency)) in times.into_iter().zip(parts) {
+        for ((gap, hold), (name, (corner, between), formation, absent, adjacency)) in times.into_iter().zip(parts) {
             let (positions, adjacency) = (Arc::new(formation), adjacency.map(Arc::new));
-            keyframes.push(Keyframe { name, time, hold, corner, positions, absent, adjacency });
+            keyframes.push(Keyframe { name, time, hold, corner, between, positions, absent, adjacency });
             time += hold + gap;
         }
         keyframes
     })
+}
+
+/// A corner, and one that lies between.
+fn flags() -> impl Strategy<Value = (bool, bool)> {
+    (any::<bool>(), proptest::bool::weighted(0.3))
 }
 
 fn absent(agent_count: usize) -> impl Strategy<Value = Vec<u32>> {

@@ -5,6 +5,7 @@ import type { Formation, Point } from "../formation";
 import { clampCoordinate, clipText, LIMITS, withinLimits } from "../limits";
 import { type Agent, type Group, mainTrack, type Scene } from "../scene";
 import type { Command } from "../store";
+import { setBetween } from "./keyframes";
 import { followNodes } from "./nodes";
 import { dropFromAdjacency, dropFromGroups, dropFromLocks, pathAfterDrop } from "./reindex";
 
@@ -52,7 +53,8 @@ export function placeAgents(
     label,
     apply: (scene) =>
       putAgents(
-        scene,
+        // Where everybody is given a new place, another formation begins.
+        agents.length === mainTrack(scene).agents.length ? setBetween(keyframe, false).apply(scene) : scene,
         keyframe,
         agents.flatMap((agent, i) => {
           const slot = slots[order[i] ?? -1];

@@ -1,5 +1,5 @@
 import { goneIn } from "../absence";
-import { cutPath } from "../cut-path";
+import { partedAt, reshapeKeyframe } from "../between";
 import { DEFAULT_SEGMENT, keyframeAt } from "../defaults";
 import { chooseAgain, updateKeyframe, updateTrack } from "../edit";
 import type { Formation } from "../formation";
@@ -7,19 +7,23 @@ import { clipText, LIMITS, withinLimits } from "../limits";
 import { type Choice, type Keyframe, mainTrack, type Scene, type Track } from "../scene";
 import { slotAfter } from "../slot";
 import type { Command } from "../store";
+import { liesBetween } from "../stretches";
+import { momentAt } from "../timing";
 
 /**
- * A keyframe with the formation seen at `time`; where that is follows from `slotAfter`.
+ * A keyframe with the formation seen at `time`; where that is follows from `slotAfter`. While agents move it lies between
+ * others: the motion stays as it is seen.
  *
- * @param taken what made the motion there: both parts of a transition that is split go on with it, so that auto does
- *   not choose another motion than the one the formation was seen in
+ * @param taken what made the motion there: a transition that is split goes on with it, so that auto does not choose
+ *   another motion than the one the formation was seen in
  */
 export function addKeyframe(time: number, positions: Formation, taken: Choice | null = null): Command {
   return {
     label: "Add keyframe",
     apply: (scene) => {
       const slot = slotAfter(scene, time);
-      return slot ? insert(scene, slot.index, keyframeAt(slot.time, positions), taken) : scene;
+      const between = momentAt(scene, time).kind === "moving";
+      return slot ? insert(scene, slot.index, { ...keyframeAt(slot.time, positions), between }, taken) : scene;
     },
   };
 }
@@ -32,7 +36,7 @@ export function duplicateKeyframe(index: number): Command {
       const keyframe = mainTrack(scene).keyframes[index];
       const slot = keyframe && slotAfter(scene, keyframe.time + keyframe.hold);
       if (!keyframe || !slot) return scene;
-      return insert(scene, slot.index, { ...keyframe, time: slot.time, hold: 0 }, null);
+      return insert(scene, slot.index, { ...keyframe, time: slot.time, hold: 0, between: false }, null);
     },
   };
 }
@@ -62,11 +66,23 @@ export function renameKeyframe(index: number, name: string): Command {
   };
 }
 
+/** A keyframe between others bends the transition it lies in, without a stop; else it ends it, and another begins. */
+export function setBetween(index: number, between: boolean): Command {
+  return {
+    label: between ? "Make an in-between" : "End the transition here",
+    apply: (scene) =>
+      reshapeKeyframe(scene, index, (was) => {
+        if (between) return { ...was, between, corner: false, hold: 0 };
+        return was.between ? { ...was, between } : was;
+      }),
+  };
+}
+
 /** A corner is a stop, although transitions join there. */
 export function setCorner(index: number, corner: boolean): Command {
   return {
     label: corner ? "Make a corner" : "Smooth the corner",
-    apply: (scene) => updateKeyframe(scene, index, (was) => (was.corner === corner ? was : { ...was, corner })),
+    apply: (scene) => reshapeKeyframe(scene, index, (was) => (was.corner === corner ? was : { ...was, corner })),
   };
 }
 
@@ -94,14 +110,14 @@ export function reorderKeyframe(from: number, to: number): Command {
 function insert(scene: Scene, index: number, keyframe: Keyframe, taken: Choice | null): Scene {
   if (keyframe.positions.agentCount !== mainTrack(scene).agents.length) return scene;
   const next = updateTrack(scene, (track: Track) => {
-    // A transition that is split keeps its options on both sides; a new one after the end follows the last. Who goes where was
-    // found for other ends.
+    // A transition that is split keeps its options on both sides; a new one after the end follows the last.
     const split = track.segments[index - 1];
     const template = split ?? track.segments.at(-1) ?? DEFAULT_SEGMENT;
     const chosen = split?.method === "auto" ? taken : null;
-    const paths = split?.path ? cutPath(split.path, keyframe.positions) : [null, null];
-    const parts = paths.slice(0, split ? 2 : 1).map((path) => ({ ...template, chosen, path, assignment: null }));
-    return {
+    const parts = split
+      ? [split, split].map((part) => ({ ...part, chosen }))
+      : [{ ...template, chosen, path: null, assignment: null }];
+    const longer = {
       ...track,
       // Who is not there on the way that is split is not there in the middle of it.
       keyframes: track.keyframes.toSpliced(
@@ -111,6 +127,7 @@ function insert(scene: Scene, index: number, keyframe: Keyframe, taken: Choice |
       ),
       segments: track.segments.toSpliced(index - 1, split ? 1 : 0, ...parts),
     };
+    return split && !liesBetween(longer, index) ? partedAt(longer, index) : longer;
   });
   return withinLimits(scene, next);
 }

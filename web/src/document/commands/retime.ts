@@ -1,3 +1,4 @@
+import { reshapeKeyframe } from "../between";
 import { updateKeyframe, updateTrack } from "../edit";
 import { LIMITS, SHORTEST_TRANSITION, withinLimits } from "../limits";
 import { roundTime, tidyTime } from "../round-time";
@@ -59,7 +60,7 @@ export function setHold(index: number, hold: number): Command {
       if (clamped === keyframe.hold) return scene;
       return withinLimits(
         scene,
-        updateKeyframe(scene, index, (was) => ({ ...was, hold: clamped })),
+        reshapeKeyframe(scene, index, (was) => ({ ...was, hold: clamped })),
       );
     },
   };

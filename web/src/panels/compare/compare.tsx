@@ -3,6 +3,7 @@ import "./compare.css";
 import { useState } from "preact/hooks";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
+import { endsAround } from "../../document/stretches";
 import { Segmented } from "../controls/segmented";
 import type { Comparison } from "../dialogs/dialogs";
 import { Frame } from "../dialogs/frame";
@@ -33,11 +34,12 @@ export function CompareDialog({ request, dialogs }: DialogProps<Comparison>) {
   const [view, setView] = useState<View>(request.isTable ? "run" : "sides");
   const scene = document.scene.value;
   const index = sides?.[0]?.segment ?? 0;
+  const [from, to] = endsAround(mainTrack(scene), index);
   return (
     <Frame
       title="Compare methods"
       size="whole"
-      lead={mainTrack(scene).segments[index] && `${keyframeLabel(scene, index)} → ${keyframeLabel(scene, index + 1)}`}
+      lead={mainTrack(scene).segments[index] && `${keyframeLabel(scene, from)} → ${keyframeLabel(scene, to)}`}
       onClose={dialogs.close}
     >
       {sides ? (

@@ -3,6 +3,7 @@ import { takePlaces } from "../../document/commands/swap";
 import { setTransition, type TransitionOptions } from "../../document/commands/transitions";
 import { mainTrack, type Scene, type Segment } from "../../document/scene";
 import type { Command } from "../../document/store";
+import { endsAround, stretchesOf } from "../../document/stretches";
 import type { Counterpart } from "../../engine/api";
 import { recipeOf, type Seating } from "./seating";
 import { type TieChoice, tiedScene } from "./side-ties";
@@ -38,8 +39,8 @@ const REACH = 2;
 
 /** When a transition leaves and arrives, scene seconds. */
 export function spanOf(scene: Scene, segment: number): { readonly start: number; readonly end: number } {
-  const { keyframes } = mainTrack(scene);
-  const [from, to] = [keyframes[segment], keyframes[segment + 1]];
+  const track = mainTrack(scene);
+  const [from, to] = endsAround(track, segment).map((end) => track.keyframes[end]);
   const start = from ? from.time + from.hold : 0;
   return { start, end: Math.max(start, to?.time ?? start) };
 }
@@ -47,15 +48,19 @@ export function spanOf(scene: Scene, segment: number): { readonly start: number;
 /** The moment that all sides leave at, scene seconds of their trials: late enough for whatever comes before. */
 export function commonStart(scene: Scene, segments: readonly number[]): number {
   return Math.max(
-    ...segments.map((segment) => spanOf(scene, segment).start - timeOf(scene, windowOf(scene, segment)[0])),
+    ...segments.map((segment) => {
+      const whole = withoutBetweens(scene, segment);
+      return spanOf(scene, segment).start - timeOf(whole.scene, windowOf(whole)[0]);
+    }),
   );
 }
 
 /** What is planned for one side: its transition with its formations and as many neighbors as have a say in it. */
-export function trialOf(whole: Scene, { segment, spec, ties, seating }: Side, start: number): Trial {
+export function trialOf(show: Scene, { segment: part, spec, ties, seating }: Side, start: number): Trial {
+  const { scene: whole, segment } = withoutBetweens(show, part);
   const scene = tiedScene(seating ? takePlaces(segment + 1, seating.slots).apply(whole) : whole, ties);
   const track = mainTrack(scene);
-  const [first, last] = windowOf(scene, segment);
+  const [first, last] = windowOf({ scene, segment });
   const shift = start - spanOf(scene, segment).start;
   const keyframes = track.keyframes
     .slice(first, last + 1)
@@ -100,7 +105,14 @@ export function isInUse(scene: Scene, side: Side): boolean {
   );
 }
 
-function windowOf(scene: Scene, segment: number): [first: number, last: number] {
+/** The transition that a segment is, or is a part of, as it is without the keyframes that lie in it. */
+function withoutBetweens(scene: Scene, segment: number): Trial {
+  const track = mainTrack(scene);
+  const { anchors, whole } = stretchesOf(track);
+  return { scene: { ...scene, tracks: [whole] }, segment: anchors.indexOf(endsAround(track, segment)[0]) };
+}
+
+function windowOf({ scene, segment }: Trial): [first: number, last: number] {
   const reach = scene.join === "separate" ? 0 : REACH;
   return [Math.max(0, segment - reach), Math.min(mainTrack(scene).keyframes.length - 1, segment + 1 + reach)];
 }

@@ -1,4 +1,5 @@
-import { renameKeyframe, setCorner } from "../../document/commands/keyframes";
+import { mayLieBetween } from "../../document/between";
+import { renameKeyframe, setBetween, setCorner } from "../../document/commands/keyframes";
 import { retimeKeyframe, setHold } from "../../document/commands/retime";
 import { dropOwnTies } from "../../document/commands/ties";
 import { barAndCount } from "../../document/counts";
@@ -7,6 +8,7 @@ import { LIMITS } from "../../document/limits";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
 import type { Command } from "../../document/store";
+import { liesBetween } from "../../document/stretches";
 import { WordAction } from "../action-button";
 import { NumberBox } from "../controls/number-box";
 import { Row } from "../controls/row";
@@ -26,7 +28,8 @@ const AbsenceNote = lazily(() => import("../absence/absence-note").then((part) =
 export function KeyframePanel({ index }: { index: number }) {
   const { document, view } = useStudio();
   const scene = document.scene.value;
-  const keyframes = mainTrack(scene).keyframes;
+  const track = mainTrack(scene);
+  const { keyframes } = track;
   const keyframe = keyframes[index];
   if (!keyframe) return null;
   return (
@@ -62,6 +65,14 @@ export function KeyframePanel({ index }: { index: number }) {
             note="a stop on the way"
             isOn={keyframe.corner}
             onToggle={(isOn) => document.perform(setCorner(index, isOn))}
+          />
+        )}
+        {mayLieBetween(track, index) && (
+          <Switch
+            label="In-between"
+            note="bends its transition, ends none"
+            isOn={liesBetween(track, index)}
+            onToggle={(isOn) => document.perform(setBetween(index, isOn))}
           />
         )}
         <Switch

@@ -1,7 +1,6 @@
 import { setFrameRate, setJoin, setStage, setTempo, setTension } from "../../document/commands/scene";
-import { setBase, WHOLE_SCENE } from "../../document/commands/ties";
 import { LIMITS } from "../../document/limits";
-import { type Backdrop, mainTrack, type Units } from "../../document/scene";
+import { type Backdrop, mainTrack, type Scene, type Units } from "../../document/scene";
 import { metersPer } from "../../document/units";
 import { NumberBox } from "../controls/number-box";
 import { QuantityRow } from "../controls/quantity-row";
@@ -46,6 +45,12 @@ export function ScenePanel() {
   const scene = document.scene.value;
   const { stage, tempo } = scene;
   const isEmpty = mainTrack(scene).agents.length === 0;
+
+  async function tie(base: Scene["adjacency"]["base"]): Promise<void> {
+    const { setBase, WHOLE_SCENE } = await import("../../document/commands/ties");
+    document.perform(setBase(WHOLE_SCENE, base));
+  }
+
   return (
     <>
       <Head kind="Scene">{scene.title || "Untitled"}</Head>
@@ -102,7 +107,7 @@ export function ScenePanel() {
               { value: "delaunay", label: "Between neighbors" },
               { value: "none", label: "Only by hand" },
             ]}
-            onChoose={(base) => document.perform(setBase(WHOLE_SCENE, base))}
+            onChoose={(base) => void tie(base)}
           />
         </Row>
       </Section>

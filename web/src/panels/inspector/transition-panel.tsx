@@ -2,6 +2,7 @@ import { rippleKeyframe } from "../../document/commands/retime";
 import { LIMITS, SHORTEST_TRANSITION } from "../../document/limits";
 import { keyframeLabel } from "../../document/queries";
 import { mainTrack } from "../../document/scene";
+import { endsAround } from "../../document/stretches";
 import { WordAction } from "../action-button";
 import { lazily } from "../lazily";
 import { usePlanningWorthSaying } from "../stage-edge/use-planning-worth-saying";
@@ -32,6 +33,8 @@ export function TransitionPanel({ index }: { index: number }) {
   const segment = track.segments[index];
   const [from, to] = [track.keyframes[index], track.keyframes[index + 1]];
   if (!segment || !from || !to) return null;
+  const [source, target] = endsAround(track, index);
+  const isPart = target - source > 1;
   const leaving = from.time + from.hold;
   const view = planningView(planner.segments.value[index], scene.minimumDistance, scene.stage.units);
   const choice = view.plan?.report.choice ?? segment.chosen;
@@ -51,6 +54,11 @@ export function TransitionPanel({ index }: { index: number }) {
           max={LIMITS.seconds}
           onCommit={(seconds) => document.perform(rippleKeyframe(index + 1, leaving + seconds))}
         />
+        {isPart && (
+          <p class="inspector-text">
+            {`A part of ${keyframeLabel(scene, source)} → ${keyframeLabel(scene, target)}: what is chosen here is for all of it.`}
+          </p>
+        )}
         <TransitionOptions index={index} segment={segment} choice={choice} />
         <PlanningNote view={view} />
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
@@ -74,7 +82,7 @@ export function TransitionPanel({ index }: { index: number }) {
           )}
         </div>
       </Section>
-      <AssignmentPart key={index} index={index} segment={segment} />
+      {isPart ? null : <AssignmentPart key={index} index={index} segment={segment} />}
       <PathPart key={`path ${index}`} index={index} segment={segment} />
       <Section title="Manner">
         <MannerOptions index={index} segment={segment} choice={choice} />

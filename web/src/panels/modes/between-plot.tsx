@@ -1,4 +1,5 @@
 import { mainTrack } from "../../document/scene";
+import { endsAround } from "../../document/stretches";
 import { PlotNow } from "../plot-now";
 import { useStudio } from "../studio";
 
@@ -9,9 +10,10 @@ const HEIGHT = 132;
 export function BetweenPlot(props: { eigenvalues: Float64Array; modeCount: number; segment: number }) {
   const { document } = useStudio();
   const { eigenvalues, modeCount, segment } = props;
-  const keyframes = mainTrack(document.scene.value).keyframes;
-  const from = (keyframes[segment]?.time ?? 0) + (keyframes[segment]?.hold ?? 0);
-  const to = keyframes[segment + 1]?.time ?? from;
+  const track = mainTrack(document.scene.value);
+  const [source, target] = endsAround(track, segment).map((end) => track.keyframes[end]);
+  const from = (source?.time ?? 0) + (source?.hold ?? 0);
+  const to = target?.time ?? from;
   return (
     <svg class="between" viewBox={`0 0 ${WIDTH} ${HEIGHT}`} aria-hidden="true">
       <path d={linesOf(eigenvalues, modeCount)} />

@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { keyframeLabel } from "../../document/queries";
 import { isInRun, selectedRun } from "../../document/run";
 import { mainTrack } from "../../document/scene";
+import { liesBetween } from "../../document/stretches";
 import { later } from "../../stage/later";
 import { breachesOf, obstacleBreachCount } from "../breaches";
 import { lazily } from "../lazily";
@@ -31,7 +32,8 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
   useEffect(() => void keys(), []);
 
   const scene = document.scene.value;
-  const { keyframes } = mainTrack(scene);
+  const track = mainTrack(scene);
+  const { keyframes } = track;
   const places = keyframePlaces(keyframes, viewport.scale.value);
   const { from, to } = viewport.drawn.value;
   const selection = document.selection.value;
@@ -123,6 +125,7 @@ export function KeyframeList({ viewport }: { viewport: Viewport }) {
               breachCount={
                 breachesOf(keyframe.positions, scene.minimumDistance).length + obstacleBreachCount(plans, index)
               }
+              isBetween={liesBetween(track, index)}
               isCorner={keyframe.corner && scene.join !== "separate"}
               paint={place.x + THUMBNAIL_WIDTH > from && place.x - THUMBNAIL_WIDTH < to ? paint : null}
               mark={

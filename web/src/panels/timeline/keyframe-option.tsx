@@ -21,6 +21,8 @@ export interface KeyframeOptionProps {
   readonly breachCount: number;
   /** A stop where others pass. */
   readonly isCorner: boolean;
+  /** It lies in a transition instead of ending it. */
+  readonly isBetween: boolean;
   /** Null while the keyframe is far out of sight. */
   readonly paint: Pick<ThumbnailProps, "colors" | "palette"> | null;
   readonly mark: "none" | "dragged" | "target";
@@ -41,13 +43,14 @@ export function KeyframeOption(props: KeyframeOptionProps) {
       role="option"
       aria-selected={props.isSelected}
       aria-label={name}
-      aria-description={description(keyframe, props.isCorner, breachCount)}
+      aria-description={description(props)}
       tabIndex={props.isFocusable ? 0 : -1}
       data-index={index}
       {...props.handlers}
     >
       {hold > 0 && <i ref={placed(THUMBNAIL_WIDTH, hold)} class="hold-bar" />}
       {props.isCorner && <i class="corner-mark" />}
+      {props.isBetween && <i class="between-mark" />}
       {breachCount > 0 && (
         <i class="breach-mark">
           <StatusWedge status="clash" />
@@ -65,11 +68,13 @@ function roomForName(width: number): (element: HTMLElement | null) => void {
   return (element) => element?.style.setProperty("--room", width > 0 ? `${width}px` : "max-content");
 }
 
-function description({ time, hold }: Keyframe, isCorner: boolean, breachCount: number): string {
+function description({ keyframe, isCorner, isBetween, breachCount }: KeyframeOptionProps): string {
+  const { time, hold } = keyframe;
   const words = [
     `at ${shortTime(time)}`,
     hold > 0 ? `holds ${formatDuration(hold)}` : "",
     isCorner ? "corner" : "",
+    isBetween ? "in-between" : "",
     breachCount > 0 ? `${breachCount} too near` : "",
   ];
   return words.filter(Boolean).join(", ");

@@ -5,6 +5,7 @@ import { setPath } from "../../document/commands/travel";
 import { barycenterOf, type Point } from "../../document/formation";
 import { mainTrack } from "../../document/scene";
 import { nudgeSteps, snapOf, snapPoint } from "../../document/snap";
+import { endsAround } from "../../document/stretches";
 import { extended, isMeant } from "../../shapes/stroke";
 import { bowBetween, curveThrough, followed, pathOfStroke, settled } from "../../shapes/travel";
 import { toScreen, toStage } from "../../stage/camera";
@@ -27,8 +28,9 @@ export function PathOverlay() {
   const selection = document.selection.value;
   const scene = document.scene.value;
   const index = selection.kind === "transition" ? selection.index : -1;
-  const { keyframes, segments } = mainTrack(scene);
-  const [source, target] = [keyframes[index]?.positions, keyframes[index + 1]?.positions];
+  const track = mainTrack(scene);
+  const { keyframes, segments } = track;
+  const [source, target] = endsAround(track, index).map((end) => keyframes[end]?.positions);
   const stroke = useSignal<readonly Point[]>([]);
   if (!source || !target || view.projection.value !== "plan") return null;
 

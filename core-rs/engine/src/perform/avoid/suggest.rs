@@ -1,40 +1,9 @@
 //! What may help where avoidance did not: who takes whose place, another guide, less distance, a keyframe between.
 
-use serde::Serialize;
-
+use super::super::outcome::Suggestion;
 use crate::choice::{Choice, MethodName};
 use crate::edits::AvoidanceReport;
 use crate::motion::{Approach, Motion};
-
-/// A next step for the person.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(tag = "kind", rename_all = "camelCase")]
-pub enum Suggestion {
-    /// These two take each other's places in the target: together they then go less far.
-    Swap {
-        /// Lower index first.
-        agents: (u32, u32),
-    },
-    /// Everybody takes the place that makes the sum of squared ways least: such ways hardly ever clash.
-    Assign,
-    /// Straight ways.
-    Straight,
-    /// More sharing of the two bases.
-    Sharing {
-        /// ρ.
-        sharing: f64,
-    },
-    /// What this motion keeps.
-    Distance {
-        /// Meters.
-        distance: f64,
-    },
-    /// A keyframe between, where they are nearest.
-    Keyframe {
-        /// Scene seconds.
-        time: f64,
-    },
-}
 
 /// Distances are offered in whole centimeters.
 const CENTIMETERS: f64 = 100.0;
@@ -109,6 +78,12 @@ mod tests {
         assert_eq!(suggestions(&report, &motion, &choice, 0.5), expected);
         let unsolved = vec![Approach { time: 1.0, ..clash }];
         assert_eq!(suggestions(&AvoidanceReport { unsolved, ..report }, &motion, &choice, 0.5), []);
+        // In both keyframes: nothing between mends that, save where they come nearer yet.
+        let breaches = [0, 1].map(|end| Breach { end, agent: 0, other: Other::Agent(1), distance: 0.3 }).to_vec();
+        let report = AvoidanceReport { breaches, ..AvoidanceReport::default() };
+        assert_eq!(suggestions(&AvoidanceReport { unsolved: vec![clash], ..report.clone() }, &motion, &choice, 0.5), expected);
+        let side_by_side = vec![Approach { distance: 0.3, ..clash }];
+        assert_eq!(suggestions(&AvoidanceReport { unsolved: side_by_side, ..report }, &motion, &choice, 0.5), []);
         // An obstacle in the way: a swap and other places are no help, a keyframe where it is nearest is.
         let blocked = vec![Blocked { distance: -0.2, time: 0.7, agent: 1, obstacle: 0 }];
         let report = AvoidanceReport { blocked, ..AvoidanceReport::default() };

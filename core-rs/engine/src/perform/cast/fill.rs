@@ -10,7 +10,7 @@ use crate::edits::{Blocked, Breach, Other};
 use crate::formation::Formation;
 use crate::measure::Clearance;
 use crate::motion::Motion;
-use crate::perform::avoid::{Avoided, Suggestion};
+use crate::perform::outcome::{Avoided, Suggestion};
 use crate::perform::performed::Performed;
 use crate::perform::salvage::Salvage;
 use crate::transition::Transition;

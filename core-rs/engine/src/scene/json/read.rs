@@ -12,7 +12,7 @@ use crate::choice::{Blend, Choice, DEFAULT_SHARING};
 use crate::error::{Counted, Error};
 use crate::formation::Formation;
 use crate::order;
-use crate::scene::normalize::{normalize_adjacency, normalize_groups};
+use crate::scene::normalize::{normalize_adjacency, normalize_groups, normalize_segments};
 use crate::scene::place::Place;
 use crate::scene::validate::exactly;
 use crate::scene::{Agent, DEFAULT_FRAME_RATE, DEFAULT_TENSION, Group, Keyframe, NodeSpec, Scene, Segment, Stage, Tempo, Track};
@@ -42,8 +42,8 @@ const TEMPO: &[&str] = &["beatsPerMinute", "beatsPerBar", "start"];
 const AGENT: &[&str] = &["name", "color", "radius", "maxSpeed"];
 const GROUP: &[&str] = &["name", "color", "members", "tieWeight", "children"];
 const ADJACENCY: &[&str] = &["base", "weights", "ties", "cuts", "obstacleTies"];
-const KEYFRAME: &[&str] = &["name", "time", "hold", "corner", "positions", "absent", "adjacency"];
-const STANDING_KEYFRAME: &[&str] = &["name", "time", "hold", "corner", "absent", "adjacency"];
+const KEYFRAME: &[&str] = &["name", "time", "hold", "corner", "between", "positions", "absent", "adjacency"];
+const STANDING_KEYFRAME: &[&str] = &["name", "time", "hold", "corner", "between", "absent", "adjacency"];
 const SEGMENT: &[&str] = &[
     "kind",
     "method",
@@ -78,9 +78,7 @@ pub fn read_json(text: &str) -> Result<Scene, Error> {
     let fields = document.fields(SCENE)?;
     head(&fields)?;
     fields.refuse_strangers()?;
-    let scene = scene(&fields, &mut Standing::default())?;
-    validate(&scene)?;
-    Ok(scene)
+    settled(scene(&fields, &mut Standing::default())?)
 }
 
 /// The scene of a scene file without a head whose keyframes have these formations and no positions.
@@ -91,7 +89,12 @@ pub fn read_rest(text: &str, formations: Vec<Arc<Formation>>) -> Result<Scene, E
     let mut standing = Standing { given: Some(formations.into_iter()), ..Standing::default() };
     let scene = scene(&fields, &mut standing)?;
     exactly(found, scene.main_track().keyframes.len(), "formations", "keyframes")?;
+    settled(scene)
+}
+
+fn settled(mut scene: Scene) -> Result<Scene, Error> {
     validate(&scene)?;
+    normalize_segments(&mut scene.tracks[0]);
     Ok(scene)
 }
 
@@ -264,6 +267,7 @@ fn keyframe(value: Value, standing: &mut Standing) -> Result<Keyframe, Error> {
         time: fields.number("time", 0.0)?,
         hold: fields.number("hold", 0.0)?,
         corner: fields.flag("corner")?,
+        between: fields.flag("between")?,
         positions: standing.formation(&fields)?,
         absent,
         adjacency: fields.optional("adjacency", adjacency)?.map(Arc::new),

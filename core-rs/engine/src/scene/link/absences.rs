@@ -2,16 +2,17 @@
 //!
 //! It stands behind the closing flag of `paths` and ends with a flag of its own. Here, too, the order is the format.
 
-use super::fields::{Fields, newer};
+use super::betweens::has_betweens;
+use super::fields::Fields;
 use super::graph::code_count;
 use super::models::Integer;
 use super::range::Bit;
 use crate::error::Error;
 use crate::scene::{Track, limits};
 
-/// Whether a track says any of it.
+/// Whether a track says any of it, or of what stands behind it.
 pub fn has_absences(track: &Track) -> bool {
-    track.keyframes.iter().any(|keyframe| !keyframe.absent.is_empty())
+    track.keyframes.iter().any(|keyframe| !keyframe.absent.is_empty()) || has_betweens(track)
 }
 
 impl Fields<'_> {
@@ -36,9 +37,8 @@ impl Fields<'_> {
             }
             last.clone_from(&keyframe.absent);
         }
-        // Set by a later version that has more to say.
-        let mut has_more = false;
+        let mut has_more = has_betweens(track);
         self.coder.bit(&mut Bit::likely(false), &mut has_more);
-        if has_more { Err(newer()) } else { Ok(()) }
+        if has_more { self.code_betweens(track) } else { Ok(()) }
     }
 }

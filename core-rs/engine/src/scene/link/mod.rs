@@ -6,6 +6,7 @@
 mod absences;
 mod additions;
 mod basics;
+mod betweens;
 mod crowds;
 mod document;
 mod fields;
@@ -30,7 +31,7 @@ pub use round::{Precision, onto_grid};
 use route::Cell;
 use step::Step;
 
-use super::normalize::{normalize_adjacency, normalize_groups};
+use super::normalize::{normalize_adjacency, normalize_groups, normalize_segments};
 use super::{Group, Scene, validate};
 use crate::error::Error;
 
@@ -85,6 +86,7 @@ pub fn decode(text: &str) -> Result<Scene, Error> {
     let own = scene.tracks[0].keyframes.iter_mut().filter_map(|keyframe| keyframe.adjacency.as_mut());
     own.for_each(|adjacency| normalize_adjacency(Arc::make_mut(adjacency)));
     validate(&scene)?;
+    normalize_segments(&mut scene.tracks[0]);
     Ok(scene)
 }
 

@@ -92,6 +92,16 @@ const TRAVELED: &str = r#"{
   "segments": [{ "path": [[0, 0], [10, 0.25], [0.1234567890123, 20]] }, { "path": [[0, 0, 0], [1, 2, 3]] }]
 }"#;
 
+/// And behind that: a keyframe that lies in a transition.
+const BETWEEN: &str = r#"{
+  "format": "eigenform", "version": 1, "join": "smooth",
+  "keyframes": [
+    { "positions": [[0, 0], [2, 0], [4, 1]] }, { "time": 2.5, "between": true, "positions": [[1.5, 3], [3, 2], [4.25, 4]] },
+    { "time": 4, "positions": [[5, 5], [-5, 5], [-5, -5]] }
+  ],
+  "segments": [{ "method": "spectral" }, { "method": "spectral" }]
+}"#;
+
 /// The scene has this link, and the link is that of the scene it opens.
 fn check(scene: &str, precision: Precision, link: &str) {
     let scene = read_json(scene).expect("a scene");
@@ -152,4 +162,12 @@ fn so_do_those_with_paths_and_absences() {
     check(TRAVELED, Precision::Exact, link);
     check(TRAVELED, Precision::Short, link);
     assert_eq!(decode(link), read_json(TRAVELED));
+}
+
+#[test]
+fn so_do_those_with_keyframes_between() {
+    let link = "#s=1.Jutu0TtJPkjxH8Pc0Aen_rep4Dx69SkXQqYapCNksEHe2heD57pRM32jqA";
+    check(BETWEEN, Precision::Exact, link);
+    check(BETWEEN, Precision::Short, link);
+    assert_eq!(decode(link), read_json(BETWEEN));
 }

@@ -1,0 +1,141 @@
+//! A transition that keyframes lie in: it is performed as a whole, and each of its parts follows that motion, bent to its keyframes.
+//!
+//! A keyframe between others begins no transition. What it asks for beside the motion of the whole comes to nothing at the next
+//! keyframes, value and velocity, so the rest of the motion stays where it was; where it asks for what is seen there, nothing changes.
+
+use std::sync::Arc;
+
+use glam::{DVec2, DVec3};
+
+use super::performed::Performed;
+use crate::choice::Choice;
+use crate::scene::Scene;
+use crate::transition::{Chain, Transition};
+
+/// A scene without the keyframes that lie in transitions, and one of its segments.
+pub(super) struct Whole {
+    pub(super) scene: Scene,
+    pub(super) index: usize,
+    pub(super) held: Vec<Option<Choice>>,
+    /// The keyframes it runs between, as they are numbered with the others.
+    pub(super) ends: [usize; 2],
+}
+
+impl Whole {
+    /// The transition that segment `index` is, or is a part of. None where each segment of the scene is one.
+    pub(super) fn of(scene: &Scene, index: usize, held: &[Option<Choice>]) -> Option<Self> {
+        let track = scene.main_track();
+        let anchors = track.anchors();
+        if anchors.len() == track.keyframes.len() {
+            return None;
+        }
+        let at = anchors.partition_point(|anchor| *anchor <= index) - 1;
+        let departures = &anchors[..anchors.len() - 1];
+        let mut whole = scene.clone();
+        whole.tracks[0].keyframes = anchors.iter().map(|anchor| track.keyframes[*anchor].clone()).collect();
+        whole.tracks[0].segments = departures.iter().map(|anchor| track.segments[*anchor].clone()).collect();
+        let held = departures.iter().map(|anchor| held.get(*anchor).copied().flatten()).collect();
+        Some(Self { scene: whole, index: at, held, ends: [anchors[at], anchors[at + 1]] })
+    }
+
+    /// Whether other keyframes lie in it.
+    pub(super) fn has_parts(&self) -> bool {
+        self.ends[1] - self.ends[0] > 1
+    }
+}
+
+/// A part of a whole motion, bent to its keyframes.
+pub(super) struct Part {
+    whole: Arc<Performed>,
+    agent_count: usize,
+    start: f64,
+    end: f64,
+    /// At both ends, by agent.
+    bends: [Vec<Bend>; 2],
+}
+
+/// What is added to the whole motion at an instant: meters, and meters a second.
+#[derive(Clone, Copy, Default)]
+struct Bend {
+    aside: DVec3,
+    velocity: DVec3,
+}
+
+impl Part {
+    /// The segment of a chain of keyframes of the whole, of the same agents; `start` is when it leaves its source.
+    pub(super) fn new(whole: Arc<Performed>, chain: &Chain, start: f64) -> Self {
+        let at = chain.at();
+        let mut times = vec![start - (0..at).map(|pair| chain.duration(pair)).sum::<f64>()];
+        for pair in 0..chain.ends().len() - 1 {
+            times.push(times[pair] + chain.duration(pair));
+        }
+        let mut part = Self { whole, agent_count: chain.agent_count(), start, end: times[at + 1], bends: [Vec::new(), Vec::new()] };
+        let asides: Vec<Vec<DVec3>> = chain
+            .ends()
+            .iter()
+            .zip(&times)
+            .map(|(end, time)| {
+                let (mut plan, mut heights) = (vec![DVec2::ZERO; part.agent_count], vec![0.0; part.agent_count]);
+                part.follow(&[*time], &mut plan, chain.has_heights().then_some(&mut heights[..]));
+                (0..part.agent_count).map(|agent| end.formation.places().at(agent) - plan[agent].extend(heights[agent])).collect()
+            })
+            .collect();
+        let bend = |end: usize, agent: usize| {
+            let slope = |pair: usize| (asides[pair + 1][agent] - asides[pair][agent]) / chain.duration(pair);
+            let is_within = end > 0 && end + 1 < asides.len();
+            Bend { aside: asides[end][agent], velocity: if is_within { meeting(slope(end - 1), slope(end)) } else { DVec3::ZERO } }
+        };
+        part.bends = [at, at + 1].map(|end| (0..part.agent_count).map(|agent| bend(end, agent)).collect());
+        part
+    }
+
+    /// Where the whole motion has those who are there.
+    fn follow(&self, times: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
+        let Some(there) = &self.whole.there else { return self.whole.places_into(times, plan, heights) };
+        let all = self.whole.transition.agent_count();
+        let mut everybody = vec![DVec2::ZERO; all * times.len()];
+        let mut rises = heights.as_ref().map(|_| vec![0.0; everybody.len()]);
+        self.whole.places_into(times, &mut everybody, rises.as_deref_mut());
+        for k in 0..times.len() {
+            for (place, agent) in there.iter().enumerate() {
+                let (to, from) = (k * there.len() + place, k * all + *agent as usize);
+                plan[to] = everybody[from];
+                if let (Some(heights), Some(rises)) = (&mut heights, &rises) {
+                    heights[to] = rises[from];
+                }
+            }
+        }
+    }
+}
+
+impl Transition for Part {
+    fn agent_count(&self) -> usize {
+        self.agent_count
+    }
+
+    /// `ts` are shares of its time.
+    fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
+        let seconds = self.end - self.start;
+        let times: Vec<f64> = ts.iter().map(|t| self.start + t * seconds).collect();
+        self.follow(&times, plan, heights.as_deref_mut());
+        for (k, u) in ts.iter().enumerate() {
+            let v = 1.0 - u;
+            let [values, slopes] = [[v * v * (1.0 + 2.0 * u), u * u * (1.0 + 2.0 * v)], [u * v * v * seconds, -u * u * v * seconds]];
+            for agent in 0..self.agent_count {
+                let [from, to] = [0, 1].map(|end: usize| self.bends[end][agent]);
+                let aside = from.aside * values[0] + to.aside * values[1] + from.velocity * slopes[0] + to.velocity * slopes[1];
+                plan[k * self.agent_count + agent] += aside.truncate();
+                if let Some(heights) = &mut heights {
+                    heights[k * self.agent_count + agent] += aside.z;
+                }
+            }
+        }
+    }
+}
+
+/// The velocity of a bend between one that changes by `before` and one that changes by `after`, meters a second: theirs where they are
+/// the same, nothing where it turns back, and never so much that it swings beyond its keyframes.
+fn meeting(before: DVec3, after: DVec3) -> DVec3 {
+    let squares = before.length_squared() + after.length_squared();
+    if squares > 0.0 { (before + after) * (before.dot(after).max(0.0) / squares) } else { DVec3::ZERO }
+}

@@ -1,0 +1,27 @@
+import type { Choice, Segment, Track } from "./scene";
+import { stretchesOf } from "./stretches";
+
+/** The track with all parts of a transition as its first is. What auto took is forgotten where one of them has forgotten it. */
+export function withAlikeParts(track: Track): Track {
+  const { anchors } = stretchesOf(track);
+  if (anchors.length === track.keyframes.length) return track;
+  const segments = anchors.slice(1).flatMap((to, index) => alike(track.segments.slice(anchors[index], to)));
+  return segments.every((segment, index) => segment === track.segments[index]) ? track : { ...track, segments };
+}
+
+function alike(parts: readonly Segment[]): readonly Segment[] {
+  const [first] = parts;
+  if (!first) return parts;
+  const chosen = parts.every((part) => isSame(part.chosen, first.chosen)) ? first.chosen : null;
+  const model = { ...first, chosen };
+  // Each part is its own: selections follow a part by which object it is.
+  return parts.map((part) => (isEqual(part, model) ? part : { ...model }));
+}
+
+function isSame(a: Choice | null, b: Choice | null): boolean {
+  return a === b || (a !== null && b !== null && isEqual(a, b));
+}
+
+function isEqual<T extends object>(a: T, b: T): boolean {
+  return Object.entries(b).every(([key, value]) => a[key as keyof T] === value);
+}
