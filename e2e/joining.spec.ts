@@ -24,6 +24,28 @@ function speedAt({ times, positions }: Motion, time: number): number {
   return Math.hypot(after[0] - before[0], after[1] - before[1]) / ((times[frame + 1] ?? 0) - (times[frame - 1] ?? 0));
 }
 
+/** The page's places are numbers of 24 bits: a millionth of what they count, meters. */
+const UNSEEN = 1e-4;
+
+/** How far anybody is from where they were, meters a frame. */
+function differences(before: Motion, after: Motion): number[] {
+  return before.positions.map((places, frame) =>
+    Math.max(
+      ...places.map(([x, y], agent) => {
+        const [px, py] = after.positions[frame]?.[agent] ?? [Number.NaN, Number.NaN];
+        return Math.hypot(px - x, py - y);
+      }),
+    ),
+  );
+}
+
+/** Brings the playhead to a whole second. */
+async function goTo(page: Page, seconds: number): Promise<void> {
+  await page.getByRole("slider", { name: "Time" }).focus();
+  await page.keyboard.press("Home");
+  for (let step = 0; step < seconds; step += 1) await page.keyboard.press("PageUp");
+}
+
 /** Twelve agents in rows that turn and widen on their way across; the joints are no stops. */
 function turningShow(segment: object): string {
   const formation = (angle: number, stretch: number, dx: number) =>
@@ -95,21 +117,58 @@ for (const [name, segment] of [
     await studio.drop("turning.eigenform.json", turningShow(segment));
     await expect(studio.title).toHaveValue("Turning");
     const before = await motionOf(studio, page);
-    await page.getByRole("slider", { name: "Time" }).focus();
-    await page.keyboard.press("Home");
-    for (let step = 0; step < 6; step += 1) await page.keyboard.press("PageUp");
+    await goTo(page, 6);
     await studio.button("Add keyframe").click();
     await expect(studio.keyframes).toHaveCount(5);
     const after = await motionOf(studio, page);
     expect(after.times).toEqual(before.times);
-    let furthest = 0;
-    for (const [frame, places] of before.positions.entries()) {
-      for (const [agent, [x, y]] of places.entries()) {
-        const [px, py] = after.positions[frame]?.[agent] ?? [Number.NaN, Number.NaN];
-        furthest = Math.max(furthest, Math.hypot(px - x, py - y));
-      }
-    }
-    // The page's places are numbers of 24 bits: a millionth of what they count.
-    expect(furthest).toBeLessThan(1e-4);
+    expect(Math.max(...differences(before, after))).toBeLessThan(UNSEEN);
   });
 }
+
+test("an in-between bends the transition it lies in, and ends it when it is told to", async ({
+  studio,
+  visitor,
+  page,
+}) => {
+  await studio.openFirst();
+  await studio.drop("turning.eigenform.json", turningShow({ method: "spectral" }));
+  await expect(studio.title).toHaveValue("Turning");
+  const before = await motionOf(studio, page);
+  await goTo(page, 6);
+  await studio.button("Add keyframe").click();
+  await expect(studio.keyframes.nth(2)).toHaveAccessibleDescription(/in-between/);
+
+  await test.step("who is moved there comes from where they were and goes back there", async () => {
+    await page.keyboard.press("ControlOrMeta+a");
+    for (let step = 0; step < 4; step += 1) await page.keyboard.press("ArrowRight");
+    const bent = differences(before, await motionOf(studio, page));
+    const within = before.times.map((time) => time > 4 && time < 9);
+    expect(Math.max(...bent.filter((_, frame) => !within[frame]))).toBeLessThan(UNSEEN);
+    expect(Math.max(...bent)).toBeGreaterThan(0.1);
+    expect(bent.indexOf(Math.max(...bent))).toBe(before.times.findIndex((time) => time >= 6 - 1e-9));
+  });
+
+  await test.step("a part is told what the whole transition is", async () => {
+    await studio.transitions.nth(2).click();
+    await expect(studio.inspector).toContainText("A part of Keyframe 2 → Keyframe 4");
+    await studio.inspector.getByRole("combobox", { name: "Method" }).selectOption("Linear");
+    const segments = (await studio.sceneFile()).segments?.map((segment) => segment.method);
+    expect(segments).toEqual(["spectral", "linear", "linear", "spectral"]);
+    await studio.button("Undo").click();
+  });
+
+  await test.step("it goes with the link", async () => {
+    await visitor.open(await studio.link());
+    await expect(visitor.keyframes.nth(2)).toHaveAccessibleDescription(/in-between/);
+  });
+
+  await test.step("told to, it ends the transition: another begins", async () => {
+    await studio.keyframes.nth(2).click();
+    await studio.inspector.getByRole("checkbox", { name: "In-between" }).uncheck();
+    await expect(studio.keyframes.nth(2)).not.toHaveAccessibleDescription(/in-between/);
+    expect((await studio.sceneFile()).keyframes[2]?.between).toBeUndefined();
+    const parted = differences(before, await motionOf(studio, page));
+    expect(Math.max(...parted.filter((_, frame) => (before.times[frame] ?? 0) > 9))).toBeGreaterThan(UNSEEN);
+  });
+});
