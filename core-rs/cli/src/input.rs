@@ -41,7 +41,14 @@ pub fn read_recording(source: &Source, numbers: &[i64]) -> Result<Opened, Failur
         recording.frame_numbered(*number).ok_or(Error::OutOfRange { value, low, high, place: "--frames".to_owned() })
     };
     let frames = numbers.iter().map(frame).collect::<Result<Vec<_>, _>>()?;
-    let Read { mut scene, notes } = recording.scene(&frames)?;
+    let Read { mut scene, mut notes } = recording.scene(&frames)?;
+    let mut taken = numbers.to_vec();
+    taken.sort_unstable();
+    taken.dedup();
+    if taken != numbers {
+        let taken: Vec<String> = taken.iter().map(i64::to_string).collect();
+        notes.push(format!("Frames are taken as they follow each other, each once: {}.", taken.join(", ")));
+    }
     override_parts(&mut scene, source)?;
     validate(&scene)?;
     // As a keyframe CSV: printed, it is a scene file.

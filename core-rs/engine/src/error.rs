@@ -185,6 +185,16 @@ pub enum Error {
         /// The keyframe's time.
         place: String,
     },
+    /// An index that no place of the target has.
+    #[error("there is no slot {slot}; {}", there_are("slots", *agent_count))]
+    UnknownSlot {
+        /// The index.
+        slot: u32,
+        /// How many agents there are, and places.
+        agent_count: usize,
+        /// The index's place.
+        place: String,
+    },
     /// An index that no agent has.
     #[error("there is no agent {agent}; {}", there_are("agents", *agent_count))]
     UnknownAgent {

@@ -40,10 +40,13 @@ pub fn draw(bytes: &[u8], name: &str) -> Result<Pixels, Failure> {
     render(&tree).ok_or_else(|| broken("the SVG has no size".to_owned()))
 }
 
-/// Whether somebody gave the `d` of a path and not text: it moves somewhere and then draws.
+/// Whether somebody gave the `d` of a path and not text: it moves somewhere and then draws, or is cut short after two numbers.
 pub fn is_path_data(text: &str) -> bool {
     let drawn = text.trim().strip_prefix(['M', 'm']);
-    let is_drawn = |rest: &str| rest.contains(|c: char| "LlHhVvCcSsQqTtAaZz".contains(c)) && rest.contains(|c: char| c.is_ascii_digit());
+    let has_two_numbers = |rest: &str| rest.split([' ', ',']).filter(|word| word.parse::<f64>().is_ok()).count() > 1;
+    let is_drawn = |rest: &str| {
+        rest.contains(|c: char| "LlHhVvCcSsQqTtAaZz".contains(c)) && rest.contains(|c: char| c.is_ascii_digit()) || has_two_numbers(rest)
+    };
     drawn.is_some_and(|rest| is_drawn(rest) && rest.chars().all(|c| "LlHhVvCcSsQqTtAaZzMmEe+-., \n\t\r".contains(c) || c.is_ascii_digit()))
 }
 

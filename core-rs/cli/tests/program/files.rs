@@ -104,6 +104,8 @@ fn every_verb_has_help_with_an_example() {
 fn convert_makes_a_scene_of_frames_of_a_recording() {
     let desk = Desk::new();
     desk.put("crowd.txt", "# framerate: 10.00 fps\n# id frame x/m y/m\n1 5 0 0\n2 5 4 0\n1 6 1 1\n2 6 4 1\n1 7 2 2\n");
+    let unordered = desk.run(&["convert", "crowd.txt", "-", "--frames", "7,5,7"]);
+    assert!(unordered.stderr.contains("Frames are taken as they follow each other, each once: 5, 7."), "{}", unordered.stderr);
     let outcome = desk.run(&["convert", "crowd.txt", "scene.json", "--frames", "5,7", "--method", "linear"]);
     assert_eq!((outcome.code, outcome.stderr.lines().count()), (0, 2), "{}", outcome.stderr);
     assert_eq!(desk.answer(&["check", "scene.json"]), "ok: 1 agents, 2 keyframes\n");

@@ -50,8 +50,11 @@ impl Default for AssignmentSpec {
 pub fn check_locks(locks: &[(u32, u32)], agent_count: usize, place: impl Fn(usize) -> String) -> Result<(), Error> {
     let (mut slots, mut agents) = (vec![None; agent_count], vec![None; agent_count]);
     for (index, &(agent, slot)) in locks.iter().enumerate() {
-        if let Some(stranger) = [agent, slot].into_iter().find(|&either| either as usize >= agent_count) {
-            return Err(Error::UnknownAgent { agent: stranger, agent_count, place: place(index) });
+        if agent as usize >= agent_count {
+            return Err(Error::UnknownAgent { agent, agent_count, place: place(index) });
+        }
+        if slot as usize >= agent_count {
+            return Err(Error::UnknownSlot { slot, agent_count, place: place(index) });
         }
         if let Some(other) = slots[agent as usize].replace(slot) {
             return Err(Error::TwoSlots { agent, slots: [other, slot], place: place(index) });

@@ -28,6 +28,7 @@ impl Error {
             Self::OneKeyframe => "one-keyframe",
             Self::TimesDoNotRise { .. } => "times-do-not-rise",
             Self::UnknownAgent { .. } => "unknown-agent",
+            Self::UnknownSlot { .. } => "unknown-slot",
             Self::SelfTie { .. } => "self-tie",
             Self::RepeatedPair { .. } | Self::RepeatedObstacleTie { .. } => "repeated-pair",
             Self::RepeatedMember { .. } => "repeated-member",
@@ -91,6 +92,7 @@ impl Error {
             | Self::WrongCount { place, .. }
             | Self::TimesDoNotRise { place, .. }
             | Self::UnknownAgent { place, .. }
+            | Self::UnknownSlot { place, .. }
             | Self::SelfTie { place, .. }
             | Self::RepeatedPair { place, .. }
             | Self::RepeatedMember { place, .. }

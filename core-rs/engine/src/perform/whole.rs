@@ -12,6 +12,9 @@ use crate::choice::Choice;
 use crate::scene::Scene;
 use crate::transition::{Chain, Transition};
 
+/// Samples nearer in time are one, seconds.
+const SAME_INSTANT: f64 = 1e-9;
+
 /// A scene without the keyframes that lie in transitions, and one of its segments.
 pub(super) struct Whole {
     pub(super) scene: Scene,
@@ -89,20 +92,31 @@ impl Part {
         part
     }
 
-    /// Where the whole motion has those who are there.
+    /// Where the whole motion has those who are there. At its own samples it is known; evaluating thousands of agents there again would
+    /// take longer than anybody waits while they drag one of them.
     fn follow(&self, times: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
-        let Some(there) = &self.whole.there else { return self.whole.places_into(times, plan, heights) };
-        let all = self.whole.transition.agent_count();
-        let mut everybody = vec![DVec2::ZERO; all * times.len()];
-        let mut rises = heights.as_ref().map(|_| vec![0.0; everybody.len()]);
-        self.whole.places_into(times, &mut everybody, rises.as_deref_mut());
-        for k in 0..times.len() {
-            for (place, agent) in there.iter().enumerate() {
-                let (to, from) = (k * there.len() + place, k * all + *agent as usize);
-                plan[to] = everybody[from];
-                if let (Some(heights), Some(rises)) = (&mut heights, &rises) {
-                    heights[to] = rises[from];
-                }
+        let motion = &self.whole.motion;
+        for (k, time) in times.iter().enumerate() {
+            let here = k * self.agent_count..(k + 1) * self.agent_count;
+            let heights = heights.as_deref_mut().map(|heights| &mut heights[here.clone()]);
+            let sample = motion.times().partition_point(|known| *known < time - SAME_INSTANT);
+            if motion.times().get(sample).is_some_and(|known| *known <= time + SAME_INSTANT) {
+                self.pick((motion.sample(sample), motion.sample_heights(sample)), &mut plan[here], heights);
+            } else {
+                let mut everybody = vec![DVec2::ZERO; motion.agent_count()];
+                let mut rises = motion.heights().map(|_| vec![0.0; everybody.len()]);
+                self.whole.places_into(&[*time], &mut everybody, rises.as_deref_mut());
+                self.pick((&everybody, rises.as_deref()), &mut plan[here], heights);
+            }
+        }
+    }
+
+    fn pick(&self, (places, rises): (&[DVec2], Option<&[f64]>), plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
+        for place in 0..self.agent_count {
+            let agent = self.whole.there.as_ref().map_or(place, |there| there[place] as usize);
+            plan[place] = places[agent];
+            if let (Some(heights), Some(rises)) = (&mut heights, rises) {
+                heights[place] = rises[agent];
             }
         }
     }

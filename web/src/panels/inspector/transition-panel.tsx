@@ -47,6 +47,11 @@ export function TransitionPanel({ index }: { index: number }) {
         <span class="ellipsis">{keyframeLabel(scene, index + 1)}</span>
       </Head>
       <Section>
+        {isPart && (
+          <p class="inspector-text">
+            {`A part of ${keyframeLabel(scene, source)} → ${keyframeLabel(scene, target)}: what is chosen here is for all of it.`}
+          </p>
+        )}
         <SpanRow
           label="Duration"
           value={to.time - leaving}
@@ -54,11 +59,6 @@ export function TransitionPanel({ index }: { index: number }) {
           max={LIMITS.seconds}
           onCommit={(seconds) => document.perform(rippleKeyframe(index + 1, leaving + seconds))}
         />
-        {isPart && (
-          <p class="inspector-text">
-            {`A part of ${keyframeLabel(scene, source)} → ${keyframeLabel(scene, target)}: what is chosen here is for all of it.`}
-          </p>
-        )}
         <TransitionOptions index={index} segment={segment} choice={choice} />
         <PlanningNote view={view} />
         {view.plan && view.status === "clash" && <ClashNote index={index} report={view.plan.report} />}
