@@ -1,7 +1,11 @@
 import { cutPath } from "./cut-path";
 import { updateTrack } from "./edit";
-import type { Keyframe, Scene, Segment, Track } from "./scene";
+import { barycenterOf } from "./formation";
+import type { Keyframe, Scene, Segment, Track, TravelPath } from "./scene";
 import { endsAround, liesBetween } from "./stretches";
+
+/** Of sums of two lengths. */
+const ROUND_OFF = 1e-12;
 
 /** Whether a keyframe could: it is none of both ends, and the same agents are there on both sides. */
 export function mayLieBetween(track: Track, index: number): boolean {
@@ -34,15 +38,42 @@ export function partedAt(track: Track, keyframe: number): Track {
   return along(track, [from, to], (index) => (index < keyframe ? before : after));
 }
 
-/** Two transitions that are one now, because the keyframe between them lies in it: along both paths, if both have one. */
+/**
+ * Two transitions that are one now, because the keyframe between them lies in it: along both paths, one after the other.
+ * Where there is one path alone, it goes on straight.
+ */
 function joinedAt(track: Track, keyframe: number): Track {
+  const ends = endsAround(track, keyframe);
   const [before, after] = [track.segments[keyframe - 1]?.path, track.segments[keyframe]?.path];
-  const path = before && after ? [...before, ...after.slice(1)] : null;
-  const joined = along(track, endsAround(track, keyframe), () => path);
+  const path =
+    before || after ? joinedPath(before ?? [centerAt(track, ends[0])], after ?? [centerAt(track, ends[1])]) : null;
+  const joined = along(track, ends, () => path);
   return {
     ...joined,
     segments: joined.segments.map((was, index) => (index === keyframe ? { ...was, chosen: null } : was)),
   };
+}
+
+/** Without the point where they meet, if that lies on the way anyhow. */
+function joinedPath(before: TravelPath, after: TravelPath): TravelPath {
+  const [start, joint, end] = [before.at(-2), before.at(-1), after[1]];
+  const isOnTheWay = start && joint && end && isStraight(start, joint, end);
+  return [
+    ...(isOnTheWay ? before.slice(0, -1) : before),
+    ...(before.length > 1 && after.length > 1 ? after.slice(1) : after),
+  ];
+}
+
+function isStraight(start: TravelPath[number], joint: TravelPath[number], end: TravelPath[number]): boolean {
+  const direct = Math.hypot(end[0] - start[0], end[1] - start[1]);
+  const around =
+    Math.hypot(joint[0] - start[0], joint[1] - start[1]) + Math.hypot(end[0] - joint[0], end[1] - joint[1]);
+  return around - direct <= ROUND_OFF * around;
+}
+
+function centerAt(track: Track, keyframe: number): TravelPath[number] {
+  const formation = track.keyframes[keyframe]?.positions;
+  return formation ? barycenterOf(formation) : [0, 0];
 }
 
 function along(track: Track, [from, to]: readonly [number, number], path: (segment: number) => Segment["path"]): Track {

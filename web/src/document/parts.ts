@@ -1,12 +1,26 @@
 import type { Choice, Segment, Track } from "./scene";
 import { stretchesOf } from "./stretches";
 
-/** The track with all parts of a transition as its first is. What auto took is forgotten where one of them has forgotten it. */
-export function withAlikeParts(track: Track): Track {
+/**
+ * The track with all parts of a transition as its first is, and no in-between at its ends. What auto took is forgotten
+ * where one of the parts has forgotten it.
+ */
+export function withAlikeParts(changed: Track): Track {
+  const track = withEnds(changed);
   const { anchors } = stretchesOf(track);
   if (anchors.length === track.keyframes.length) return track;
   const segments = anchors.slice(1).flatMap((to, index) => alike(track.segments.slice(anchors[index], to)));
   return segments.every((segment, index) => segment === track.segments[index]) ? track : { ...track, segments };
+}
+
+function withEnds(track: Track): Track {
+  const last = track.keyframes.length - 1;
+  const isEnd = (index: number) => index === 0 || index === last;
+  if (![0, last].some((end) => track.keyframes[end]?.between)) return track;
+  const keyframes = track.keyframes.map((was, index) =>
+    isEnd(index) && was.between ? { ...was, between: false } : was,
+  );
+  return { ...track, keyframes };
 }
 
 function alike(parts: readonly Segment[]): readonly Segment[] {

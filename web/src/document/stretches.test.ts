@@ -2,8 +2,16 @@ import { expect, test } from "vitest";
 import { areSame, segmentInputs } from "../engine/inputs";
 import { mayLieBetween } from "./between";
 import { addAgents, moveAgents, placeAgents } from "./commands/agents";
-import { addKeyframe, deleteKeyframe, duplicateKeyframe, setBetween, setCorner } from "./commands/keyframes";
+import {
+  addKeyframe,
+  deleteKeyframe,
+  duplicateKeyframe,
+  reorderKeyframe,
+  setBetween,
+  setCorner,
+} from "./commands/keyframes";
 import { setHold } from "./commands/retime";
+import { repeatRun, reverseRun, whyNotRepeated, whyNotReversed } from "./commands/runs";
 import { setTransition } from "./commands/transitions";
 import { setPath } from "./commands/travel";
 import { DEFAULT_SEGMENT, emptyScene, keyframeAt } from "./defaults";
@@ -139,4 +147,52 @@ test("without its end a transition goes on to the next, and what lay between lie
   const first = deleteKeyframe(1).apply(bent());
   expect(anchors(first)).toEqual([0, 2, 3]);
   expect(segments(deleteKeyframe(2).apply(bent()))).toHaveLength(3);
+});
+
+test("one added at an in-between lies halfway to the next and lies between, too", () => {
+  const scene = addKeyframe(6, seen, TAKEN).apply(bent());
+  expect(mainTrack(scene).keyframes.map((keyframe) => keyframe.time)).toEqual([0, 4, 6, 7, 8, 12]);
+  expect(anchors(scene)).toEqual([0, 1, 4, 5]);
+});
+
+test("what becomes an end of the show is no in-between any longer, whatever comes behind it later", () => {
+  const short = deleteKeyframe(4).apply(deleteKeyframe(3).apply(bent()));
+  const longer = addKeyframe(12, seen).apply(deleteKeyframe(3).apply(short));
+  expect(mainTrack(longer).keyframes.every((keyframe) => !keyframe.between)).toBe(true);
+  expect(anchors(longer)).toEqual([...mainTrack(longer).keyframes.keys()]);
+});
+
+test("a run that cuts a transition is neither reversed nor repeated, and the reason is told", () => {
+  const scene = bent();
+  for (const run of [
+    { first: 0, last: 2 },
+    { first: 2, last: 4 },
+  ]) {
+    expect(reverseRun(run).apply(scene)).toBe(scene);
+    expect(repeatRun(run).apply(scene)).toBe(scene);
+    expect(whyNotReversed(scene, run)).toContain("in-between");
+    expect(whyNotRepeated(scene, run)).toContain("in-between");
+  }
+  const whole = { first: 1, last: 3 };
+  expect(anchors(reverseRun(whole).apply(scene))).toEqual([0, 1, 3, 4]);
+  expect(anchors(repeatRun(whole).apply(scene))).toEqual([0, 1, 3, 4, 6, 7]);
+});
+
+test("a formation in another place in the order leaves no in-between to bend what it does not belong in", () => {
+  expect(anchors(reorderKeyframe(3, 4).apply(bent()))).toEqual([0, 1, 2, 3, 4]);
+  expect(anchors(reorderKeyframe(4, 0).apply(addKeyframe(10, seen).apply(bent())))).toEqual([0, 1, 2, 3, 4, 5]);
+});
+
+test("a path that is cut and joined again is the same, and one path alone goes on straight", () => {
+  const path = [
+    [1, 0.5],
+    [1.5, 4],
+    [2, 0.5],
+  ] as const;
+  const scene = setPath(1, path, "Draw path").apply(bent());
+  const again = setCorner(2, false).apply(setCorner(2, true).apply(scene));
+  expect(segments(again)[1]?.path).toEqual(path);
+  const parted = setPath(2, null, "Remove path").apply(setBetween(2, false).apply(scene));
+  const joined = segments(setBetween(2, true).apply(parted))[1]?.path;
+  expect([joined?.[0], joined?.at(-1)]).toEqual([path[0], [2, 0.5]]);
 });

@@ -24,13 +24,13 @@ export function segmentInputs(scene: Scene, segment: number): Inputs {
   if (whole === track) return wholeInputs(scene, segment);
   const [from, to] = endsAround(track, segment);
   const inputs = wholeInputs({ ...scene, tracks: [whole] }, anchors.indexOf(from));
-  return to - from > 1 ? [...inputs, ...partInputs(scene, segment, from, to)] : inputs;
+  return to - from > 1 ? [...inputs, segment - from, ...partInputs(scene, from, to)] : inputs;
 }
 
-/** What bends a part of a transition: the keyframes at its ends, and one more on either side that lies in the same one. */
-function partInputs(scene: Scene, segment: number, from: number, to: number): Inputs {
+/** What bends a part of a transition: all that lies in it. */
+function partInputs(scene: Scene, from: number, to: number): Inputs {
   const inputs: unknown[] = [];
-  for (let keyframe = Math.max(from, segment - 1); keyframe <= Math.min(to, segment + 2); keyframe += 1) {
+  for (let keyframe = from; keyframe <= to; keyframe += 1) {
     inputs.push(...tieInputs(scene, keyframe), mainTrack(scene).keyframes[keyframe]?.time);
   }
   return inputs;

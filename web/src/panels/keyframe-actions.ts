@@ -1,16 +1,18 @@
 import { computed } from "@preact/signals";
 import { addKeyframe, deleteKeyframe, duplicateKeyframe } from "../document/commands/keyframes";
-import { copyOfRun, repeatRun, reverseRun, whyNotRepeated } from "../document/commands/runs";
+import { copyOfRun, repeatRun, reverseRun, whyNotRepeated, whyNotReversed } from "../document/commands/runs";
 import { setAllTransitions } from "../document/commands/transitions";
 import { keyframeLabel } from "../document/queries";
 import { selectedRun } from "../document/run";
 import { mainTrack } from "../document/scene";
 import { slotAfter } from "../document/slot";
 import type { Command } from "../document/store";
+import { liesBetween } from "../document/stretches";
 import { momentAt } from "../document/timing";
 import { choiceOf } from "../engine/choice";
 import { type ActionParts, type Doings, here, performOrSay } from "./doing";
 import { goToKeyframe } from "./show-actions";
+import { whenPlanned } from "./when-planned";
 
 export type KeyframeId =
   | "add-keyframe"
@@ -19,6 +21,9 @@ export type KeyframeId =
   | "reverse-run"
   | "repeat-run"
   | "use-everywhere";
+
+/** What is said while a keyframe waits for the motion. */
+const CAPTURING = "capturing";
 
 const NO_ROOM = "There is no room for a keyframe here: the next one is too near, or the show has all it can hold.";
 
@@ -35,22 +40,34 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
     if (performOrSay(parts, command, NO_ROOM) && slot) goTo(slot.index);
   }
 
+  /** Makes a keyframe of the formation that moves by at `time`: while the motion is planned, what is seen is none of it. */
+  function capture(time: number, segment: number): void {
+    const say = { tone: "good", title: "The keyframe comes with the motion.", text: "It is being planned." } as const;
+    const take = () => {
+      messages.withdraw(CAPTURING);
+      // The keyframe goes to a whole millisecond: the formation is the one seen then.
+      const positions = parts.positionsAt(slotAfter(document.scene.peek(), time)?.time ?? time);
+      make(time, addKeyframe(time, positions, choiceOf(planner.segments.peek()[segment])));
+    };
+    const isMade = whenPlanned(parts, [segment], take, () => messages.withdraw(CAPTURING));
+    if (!isMade) messages.say({ ...say, about: CAPTURING });
+  }
+
   return {
     "add-keyframe": {
       run() {
         playback.pause();
         const time = playback.time.peek();
-        const scene = document.scene.peek();
-        const moment = momentAt(scene, time);
-        if (moment.kind === "standing") {
+        const track = mainTrack(document.scene.peek());
+        const moment = momentAt(document.scene.peek(), time);
+        const isStanding = moment.kind === "standing" && !liesBetween(track, moment.keyframe);
+        if (isStanding) {
           // A formation that stands is taken as it is stored: what the stage shows is rounded.
-          const stored = mainTrack(scene).keyframes[moment.keyframe]?.positions;
+          const stored = track.keyframes[moment.keyframe]?.positions;
           if (stored) make(time, addKeyframe(time, stored));
           return;
         }
-        // The keyframe goes to a whole millisecond: the formation is the one seen then.
-        const positions = parts.positionsAt(slotAfter(scene, time)?.time ?? time);
-        make(time, addKeyframe(time, positions, choiceOf(planner.segments.peek()[moment.segment])));
+        capture(time, moment.kind === "moving" ? moment.segment : moment.keyframe);
       },
     },
     "duplicate-keyframe": {
@@ -75,7 +92,8 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
       run() {
         const run = selectedRun(document.selection.peek());
         if (!run) return;
-        document.perform(reverseRun(run));
+        const { scene } = here(document);
+        if (!performOrSay(parts, reverseRun(run), whyNotReversed(scene, run) ?? NO_ROOM)) return;
         messages.announce(`Keyframes ${run.first + 1} to ${run.last + 1} reversed`);
       },
     },

@@ -2,8 +2,9 @@ import { addAgents, placeAgents } from "../document/commands/agents";
 import { Formation, type Point } from "../document/formation";
 import { mostAgents } from "../document/limits";
 import { type Placement, placementAt } from "../document/placement";
-import { mainTrack } from "../document/scene";
+import { mainTrack, type Scene } from "../document/scene";
 import { snapApart, snapOf } from "../document/snap";
+import { liesBetween } from "../document/stretches";
 import { formatCount } from "../document/units";
 import { placeShape, type ShapeName } from "../shapes/shape";
 import type { Spacing } from "../shapes/spacing";
@@ -42,7 +43,9 @@ export async function settlePlaces(editor: Editor, places: readonly Point[], lab
   const before = mainTrack(scene).keyframes[keyframe - 1]?.positions;
   const gesture = editor.document.beginGesture();
   gesture.preview(placeAgents(keyframe, agents, slots, Uint32Array.from(agents.keys()), label));
-  editor.announce(`${agents.length} agents placed. ${placement.reason}`);
+  const ends =
+    liesBetween(mainTrack(scene), keyframe) && isEverybody(scene, agents) ? " A transition ends here now." : "";
+  editor.announce(`${agents.length} agents placed. ${placement.reason}${ends}`);
   if (before) {
     const source = Formation.from(agents.map((agent) => before.point(agent)));
     try {
@@ -81,6 +84,10 @@ export function settleInView(editor: Editor, places: readonly Point[], label: st
     places.map((place): Point => [place[0] + x, place[1] + y]),
     label,
   );
+}
+
+function isEverybody(scene: Scene, agents: readonly number[]): boolean {
+  return agents.length === mainTrack(scene).agents.length;
 }
 
 function addPlaces(editor: Editor, slots: readonly Point[], label: string): void {

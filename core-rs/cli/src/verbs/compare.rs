@@ -48,9 +48,10 @@ pub fn run(arguments: &Compare) -> Result<Vec<String>, Failure> {
     let all: Vec<Comparison> = costs.iter().flat_map(|cost| ways.iter().map(|way| Comparison { way: *way, cost: *cost, pace })).collect();
     let (mut performer, mut seats) = (Performer::default(), Seats::default());
     let mut segments = Vec::new();
-    for from in 0..scene.main_track().segments.len() {
+    for ends in scene.main_track().anchors().windows(2) {
+        let (from, to) = (ends[0], ends[1]);
         let methods = all.iter().map(|asked| compared(&scene, from, *asked, &mut performer, &mut seats)).collect::<Result<_, Failure>>()?;
-        segments.push(SegmentReport { from, to: from + 1, methods });
+        segments.push(SegmentReport { from, to, methods });
     }
     let report = Report { segments };
     let json = || serde_json::to_string(&report).expect("numbers and words are JSON");

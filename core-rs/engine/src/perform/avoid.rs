@@ -44,13 +44,15 @@ impl Kept {
 }
 
 impl Avoiding {
-    /// Starts on a guide; gives it back where the segment keeps nobody apart.
-    pub(super) fn of(brief: &Brief, chain: &Chain, guide: Motion) -> Result<Self, Motion> {
+    /// Starts on a guide; gives it back where the segment keeps nobody apart. A guide that `is_settled` is checked and stays as it is.
+    pub(super) fn of(brief: &Brief, chain: &Chain, guide: Motion, is_settled: bool) -> Result<Self, Motion> {
         if !brief.own.transition.avoidance || brief.minimum_distance <= 0.0 || guide.agent_count() == 0 {
             return Err(guide);
         }
         let guide_clearance = closeness(&guide, 0.0).nearest().map(clearance);
-        Ok(Self { job: AvoidanceJob::new(avoidance(brief, chain, &guide), guide), guide_clearance, progress: 0.0 })
+        let asked = avoidance(brief, chain, &guide);
+        let job = if is_settled { AvoidanceJob::check(asked, guide) } else { AvoidanceJob::new(asked, guide) };
+        Ok(Self { job, guide_clearance, progress: 0.0 })
     }
 
     /// Works for some milliseconds; what came of it once it is done.

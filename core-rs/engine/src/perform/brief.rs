@@ -130,8 +130,7 @@ impl Brief {
         let own = Asked { transition: follow, held: None };
         let [leaves, arrives] = whole.stops;
         let passes = [index > first || !leaves, index + 1 < last || !arrives];
-        let seen = [index.saturating_sub(1).max(first), (index + 2).min(last)];
-        let brief = Self::among(scene, index, seen, own.clone(), passes.map(|is_passed| is_passed.then(|| own.clone())));
+        let brief = Self::among(scene, index, [first, last], own.clone(), passes.map(|is_passed| is_passed.then(|| own.clone())));
         Self { paths: vec![None; brief.paths.len()], join: Join::Smooth, whole: Some(Same(whole)), ..brief }
     }
 

@@ -248,11 +248,12 @@ impl Work {
 
     /// A part of a whole motion needs no plan of its own.
     fn follow(&self, whole: &Arc<Performed>, chain: Chain) -> Stage {
-        let part = Part::new(whole.clone(), &chain, self.brief.start);
+        let part = Arc::new(Part::new(whole.clone(), &chain, self.brief.start));
         let ways = Ways::all(Way::of(whole.choice, false));
         let candidates = Arc::new(whole.candidates.clone());
-        let plan = Plan { chain, travel: None, ways, hierarchy: None, ts: Arc::default(), candidates, crowded: None };
-        self.set_off(plan, Arc::new(part), Clock::Linear)
+        let plan =
+            Plan { chain, travel: None, part: Some(part.clone()), ways, hierarchy: None, ts: Arc::default(), candidates, crowded: None };
+        self.set_off(plan, part, Clock::Linear)
     }
 
     /// The choice of the next of the segments whose choices matter; `known` are those before.
@@ -293,7 +294,7 @@ impl Work {
     fn begin_plan(&self, chosen: Choosing, ways: Ways, performer: &mut Performer) -> Plan {
         let Choosing { chain, travel, candidates, .. } = chosen;
         let ts = self.known_clock().map_or(Vec::new(), |clock| self.parameters(&clock, &self.times()));
-        let mut plan = Plan { chain, travel, ways, hierarchy: None, ts: ts.into(), candidates, crowded: None };
+        let mut plan = Plan { chain, travel, part: None, ways, hierarchy: None, ts: ts.into(), candidates, crowded: None };
         if self.brief.own.transition.hierarchy {
             plan.hierarchy = Some(performer.levels.hierarchy(&self.scene.groups, plan.chart(), Some(self.brief.segment())));
         }
@@ -357,7 +358,9 @@ impl Work {
         let kept = if let (true, Some(_), Some(crowded)) = (COMPARES, self.brief.aside.counterpart, &plan.crowded) {
             Kept { avoided: judged(&self.brief, &plan.chain, &guide, crowded.guide_deviation), ..Kept::as_is(guide) }
         } else {
-            match Avoiding::of(&self.brief, &plan.chain, guide) {
+            // What avoidance made of the whole is not made otherwise because a keyframe lies in it.
+            let is_settled = plan.part.as_ref().is_some_and(|part| !part.is_bent());
+            match Avoiding::of(&self.brief, &plan.chain, guide, is_settled) {
                 Ok(avoiding) => return Stage::Avoiding(plan, clock, samples, Box::new(avoiding)),
                 Err(motion) => Kept::as_is(motion),
             }
@@ -372,7 +375,10 @@ impl Work {
         }
         let (chain, brief) = (&plan.chain, &self.brief);
         let [source, target] = [&chain.ends()[chain.at()], &chain.ends()[chain.at() + 1]];
-        let Kept { motion, deviation, avoided } = kept;
+        let Kept { motion, deviation, mut avoided } = kept;
+        if let (Some(part), Some(avoided)) = (&plan.part, &mut avoided) {
+            part.tell(&motion, avoided);
+        }
         let (measures, curves) =
             measure::measure(&motion, &samples.ts[..motion.times().len()], [&source.adjacency, &target.adjacency], brief.minimum_distance);
         let held_clearance = tied::nearest(&motion, chain, &brief.obstacles);

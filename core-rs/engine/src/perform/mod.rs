@@ -5,6 +5,7 @@
 
 mod auto;
 mod avoid;
+mod bends;
 mod brief;
 mod cast;
 mod clock;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::outcome::Crowded;
 use super::performed::Candidate;
+use super::whole::Part;
 use crate::choice::Choice;
 use crate::transition::{Chain, Hierarchy, Travel, Way, Ways};
 
@@ -12,6 +13,8 @@ pub(super) struct Plan {
     /// Where the segment goes along paths.
     pub(super) travel: Option<Arc<Travel>>,
     pub(super) ways: Ways,
+    /// Where the segment is a part of one that is performed already.
+    pub(super) part: Option<Arc<Part>>,
     /// Where the segment goes by groups.
     pub(super) hierarchy: Option<Hierarchy>,
     /// Where the samples will be, as far as the clock is known.
@@ -32,6 +35,7 @@ impl Plan {
         Self {
             chain: self.chain.clone(),
             travel: self.travel.clone(),
+            part: None,
             ways: Ways::all(Way::of(choice, keeps_size)),
             hierarchy: None,
             ts: self.ts.clone(),

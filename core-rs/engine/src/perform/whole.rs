@@ -7,8 +7,13 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
 
+use super::avoid::clearance;
+use super::bends::{Bend, UNSEEN, bends, between};
+use super::outcome::Avoided;
 use super::performed::Performed;
 use crate::choice::Choice;
+use crate::measure::Extreme;
+use crate::motion::{Motion, closeness};
 use crate::scene::Scene;
 use crate::transition::{Chain, Transition};
 
@@ -53,15 +58,8 @@ pub(super) struct Part {
     agent_count: usize,
     start: f64,
     end: f64,
-    /// At both ends, by agent.
-    bends: [Vec<Bend>; 2],
-}
-
-/// What is added to the whole motion at an instant: meters, and meters a second.
-#[derive(Clone, Copy, Default)]
-struct Bend {
-    aside: DVec3,
-    velocity: DVec3,
+    /// By agent, at both ends.
+    bends: Vec<[Bend; 2]>,
 }
 
 impl Part {
@@ -72,7 +70,7 @@ impl Part {
         for pair in 0..chain.ends().len() - 1 {
             times.push(times[pair] + chain.duration(pair));
         }
-        let mut part = Self { whole, agent_count: chain.agent_count(), start, end: times[at + 1], bends: [Vec::new(), Vec::new()] };
+        let mut part = Self { whole, agent_count: chain.agent_count(), start, end: times[at + 1], bends: Vec::new() };
         let asides: Vec<Vec<DVec3>> = chain
             .ends()
             .iter()
@@ -83,13 +81,53 @@ impl Part {
                 (0..part.agent_count).map(|agent| end.formation.places().at(agent) - plan[agent].extend(heights[agent])).collect()
             })
             .collect();
-        let bend = |end: usize, agent: usize| {
-            let slope = |pair: usize| (asides[pair + 1][agent] - asides[pair][agent]) / chain.duration(pair);
-            let is_within = end > 0 && end + 1 < asides.len();
-            Bend { aside: asides[end][agent], velocity: if is_within { meeting(slope(end - 1), slope(end)) } else { DVec3::ZERO } }
-        };
-        part.bends = [at, at + 1].map(|end| (0..part.agent_count).map(|agent| bend(end, agent)).collect());
+        for agent in 0..part.agent_count {
+            let asked: Vec<DVec3> = asides.iter().map(|asides| asides[agent]).collect();
+            let known = bends(&times, &asked);
+            part.bends.push([known[at], known[at + 1]]);
+        }
         part
+    }
+
+    /// Whether anybody is elsewhere than the whole motion has them.
+    pub(super) fn is_bent(&self) -> bool {
+        self.bends.iter().flatten().any(|bend| bend.aside.length() > UNSEEN)
+    }
+
+    /// What keeping apart came to: the whole motion was kept apart already, so what was before, and how far agents are from it now, are
+    /// those of the method's own way, bent alike.
+    pub(super) fn tell(&self, motion: &Motion, avoided: &mut Avoided) {
+        let Some(deviation) = &self.whole.deviation else { return };
+        let seconds = self.end - self.start;
+        let ts: Vec<f64> = motion.times().iter().map(|time| (time - self.start) / seconds).collect();
+        let mut plan = vec![DVec2::ZERO; motion.agent_count() * ts.len()];
+        let mut heights = motion.heights().map(|_| vec![0.0; plan.len()]);
+        self.evaluate_into(&ts, &mut plan, heights.as_deref_mut());
+        let all = self.whole.motion.agent_count();
+        for (k, time) in motion.times().iter().enumerate() {
+            let (mut aside, mut above) = (vec![DVec2::ZERO; all], vec![0.0; all]);
+            deviation.add_to(*time, &mut aside, Some(&mut above));
+            for place in 0..self.agent_count {
+                let (at, agent) = (k * self.agent_count + place, self.number(place));
+                plan[at] -= aside[agent];
+                if let Some(heights) = &mut heights {
+                    heights[at] -= above[agent];
+                }
+            }
+        }
+        let before = Motion::sampled(motion.times().to_vec(), self.agent_count, plan, heights);
+        avoided.guide_clearance = closeness(&before, 0.0).nearest().map(clearance);
+        let moved: Vec<f64> = (0..ts.len())
+            .flat_map(|k| motion.places(k).iter().zip(before.places(k).iter()).map(|(is, was)| is.distance(was)).collect::<Vec<_>>())
+            .collect();
+        let mean = moved.iter().sum::<f64>() / moved.len().max(1) as f64;
+        avoided.deviation = Extreme { mean, max: moved.into_iter().fold(0.0, f64::max) };
+        avoided.rung = avoided.rung.max(self.whole.avoided.as_ref().map_or(0, |avoided| avoided.rung));
+    }
+
+    /// The agent that is so many of those who are there.
+    fn number(&self, place: usize) -> usize {
+        self.whole.there.as_ref().map_or(place, |there| there[place] as usize)
     }
 
     /// Where the whole motion has those who are there. At its own samples it is known; evaluating thousands of agents there again would
@@ -113,7 +151,7 @@ impl Part {
 
     fn pick(&self, (places, rises): (&[DVec2], Option<&[f64]>), plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
         for place in 0..self.agent_count {
-            let agent = self.whole.there.as_ref().map_or(place, |there| there[place] as usize);
+            let agent = self.number(place);
             plan[place] = places[agent];
             if let (Some(heights), Some(rises)) = (&mut heights, rises) {
                 heights[place] = rises[agent];
@@ -133,11 +171,8 @@ impl Transition for Part {
         let times: Vec<f64> = ts.iter().map(|t| self.start + t * seconds).collect();
         self.follow(&times, plan, heights.as_deref_mut());
         for (k, u) in ts.iter().enumerate() {
-            let v = 1.0 - u;
-            let [values, slopes] = [[v * v * (1.0 + 2.0 * u), u * u * (1.0 + 2.0 * v)], [u * v * v * seconds, -u * u * v * seconds]];
-            for agent in 0..self.agent_count {
-                let [from, to] = [0, 1].map(|end: usize| self.bends[end][agent]);
-                let aside = from.aside * values[0] + to.aside * values[1] + from.velocity * slopes[0] + to.velocity * slopes[1];
+            for (agent, bends) in self.bends.iter().enumerate() {
+                let Bend { aside, .. } = between(*bends, *u, seconds);
                 plan[k * self.agent_count + agent] += aside.truncate();
                 if let Some(heights) = &mut heights {
                     heights[k * self.agent_count + agent] += aside.z;
@@ -145,11 +180,4 @@ impl Transition for Part {
             }
         }
     }
-}
-
-/// The velocity of a bend between one that changes by `before` and one that changes by `after`, meters a second: theirs where they are
-/// the same, nothing where it turns back, and never so much that it swings beyond its keyframes.
-fn meeting(before: DVec3, after: DVec3) -> DVec3 {
-    let squares = before.length_squared() + after.length_squared();
-    if squares > 0.0 { (before + after) * (before.dot(after).max(0.0) / squares) } else { DVec3::ZERO }
 }

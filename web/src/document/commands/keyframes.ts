@@ -7,7 +7,7 @@ import { clipText, LIMITS, withinLimits } from "../limits";
 import { type Choice, type Keyframe, mainTrack, type Scene, type Track } from "../scene";
 import { slotAfter } from "../slot";
 import type { Command } from "../store";
-import { liesBetween } from "../stretches";
+import { endsAround, liesBetween } from "../stretches";
 import { momentAt } from "../timing";
 
 /**
@@ -22,7 +22,8 @@ export function addKeyframe(time: number, positions: Formation, taken: Choice | 
     label: "Add keyframe",
     apply: (scene) => {
       const slot = slotAfter(scene, time);
-      const between = momentAt(scene, time).kind === "moving";
+      const moment = momentAt(scene, time);
+      const between = moment.kind === "moving" || liesBetween(mainTrack(scene), moment.keyframe);
       return slot ? insert(scene, slot.index, { ...keyframeAt(slot.time, positions), between }, taken) : scene;
     },
   };
@@ -45,13 +46,17 @@ export function duplicateKeyframe(index: number): Command {
 export function deleteKeyframe(index: number): Command {
   return {
     label: "Delete keyframe",
-    apply: (scene) =>
-      updateTrack(scene, (track) => {
-        if (!track.keyframes[index] || track.keyframes.length === 1) return track;
+    apply: (scene) => {
+      const { keyframes: all } = mainTrack(scene);
+      if (!all[index] || all.length === 1) return scene;
+      // What becomes an end of the show ends the transition that it lies in first, and divides its path.
+      const neighbor = index === 0 ? 1 : index === all.length - 1 ? index - 1 : null;
+      return updateTrack(neighbor === null ? scene : setBetween(neighbor, false).apply(scene), (track) => {
         const keyframes = track.keyframes.toSpliced(index, 1);
         const segments = track.segments.toSpliced(Math.min(index, track.segments.length - 1), 1);
         return { ...track, keyframes, segments: chooseAgain(segments, [index - 1]) };
-      }),
+      });
+    },
   };
 }
 
@@ -89,21 +94,30 @@ export function setCorner(index: number, corner: boolean): Command {
 /**
  * Bring a formation to another place in the order: those between move up, the times stay.
  *
- * Name, positions and own adjacency travel; time and hold belong to the place.
+ * Name, positions and own adjacency travel; time and hold belong to the place. All of them are formations of their own
+ * then: what bent one transition does not belong in another.
  */
 export function reorderKeyframe(from: number, to: number): Command {
   return {
     label: "Reorder keyframes",
-    apply: (scene) =>
-      updateTrack(scene, (track) => {
+    apply: (scene) => {
+      const before = mainTrack(scene);
+      if (!before.keyframes[from] || !before.keyframes[to] || from === to) return scene;
+      const [low, high] = [Math.min(from, to), Math.max(from, to)];
+      const isMoved = (index: number) => index >= low && index <= high;
+      const bends = [...before.keyframes.keys()].filter(
+        (index) => liesBetween(before, index) && [index, ...endsAround(before, index)].some(isMoved),
+      );
+      const parted = bends.reduce((parting, index) => setBetween(index, false).apply(parting), scene);
+      return updateTrack(parted, (track) => {
         const moved = track.keyframes[from];
-        if (!moved || !track.keyframes[to] || from === to) return track;
+        if (!moved) return track;
         const order = track.keyframes.toSpliced(from, 1).toSpliced(to, 0, moved);
         const keyframes = track.keyframes.map(({ time, hold }, i) => ({ ...(order[i] ?? moved), time, hold }));
-        const [low, high] = [Math.min(from, to), Math.max(from, to)];
         const touched = Array.from({ length: high - low + 2 }, (_, i) => low - 1 + i);
         return { ...track, keyframes, segments: chooseAgain(track.segments, touched) };
-      }),
+      });
+    },
   };
 }
 

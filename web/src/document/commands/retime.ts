@@ -73,5 +73,5 @@ function earliest(scene: Scene, index: number): number {
 
 /** Within bounds and exact to a millisecond; null where the bounds leave no room. */
 function clamp(value: number, low: number, high: number): number | null {
-  return low <= high ? Math.max(low, Math.min(high, roundTime(value))) : null;
+  return low <= high ? tidyTime(Math.max(low, Math.min(high, roundTime(value)))) : null;
 }

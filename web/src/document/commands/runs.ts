@@ -4,6 +4,9 @@ import { tidyTime } from "../round-time";
 import type { Run } from "../run";
 import { type Keyframe, mainTrack, type Scene, type Segment, type Track } from "../scene";
 import type { Command } from "../store";
+import { liesBetween } from "../stretches";
+
+const CUTS_A_TRANSITION = "It begins or ends at an in-between, in the middle of a transition: take the whole of it.";
 
 /**
  * A run of keyframes backward in the same time: formations, holds and transitions in the opposite order, as far apart
@@ -16,7 +19,7 @@ export function reverseRun(run: Run): Command {
       updateTrack(scene, (track) => {
         const within = keyframesOf(track, run);
         const [head, tail] = [within[0], within.at(-1)];
-        if (!head || !tail || within.length < 2) return track;
+        if (!head || !tail || within.length < 2 || !isOfTransitions(track, run)) return track;
         const sum = head.time + tail.time + tail.hold;
         const reversed = within.map((was) => ({ ...was, time: tidyTime(sum - was.time - was.hold) })).reverse();
         const transitions = track.segments
@@ -47,7 +50,12 @@ export function repeatRun(run: Run): Command {
 
 /** Why a run cannot be repeated, in a sentence; null when it can. */
 export function whyNotRepeated(scene: Scene, run: Run): string | null {
-  return brokenLimit(repeated(scene, run));
+  return whyNotReversed(scene, run) ?? brokenLimit(repeated(scene, run));
+}
+
+/** The same for reversing it. */
+export function whyNotReversed(scene: Scene, run: Run): string | null {
+  return isOfTransitions(mainTrack(scene), run) ? null : CUTS_A_TRANSITION;
 }
 
 /** Where a repeated run's copy is. */
@@ -61,7 +69,7 @@ function repeated(scene: Scene, run: Run): Scene {
     const within = keyframesOf(track, run);
     const [head, tail] = [within[0], within.at(-1)];
     const beforeTail = within.at(-2);
-    if (!head || !tail || !beforeTail) return track;
+    if (!head || !tail || !beforeTail || !isOfTransitions(track, run)) return track;
     const isRound = goesRound(track, run);
     const end = tail.time + tail.hold;
     const wayBack = tail.time - (beforeTail.time + beforeTail.hold);
@@ -82,6 +90,11 @@ function repeated(scene: Scene, run: Run): Scene {
       segments: track.segments.toSpliced(run.last, 0, ...way, ...segments),
     };
   });
+}
+
+/** Whether a run begins and ends where transitions do. */
+function isOfTransitions(track: Track, { first, last }: Run): boolean {
+  return !liesBetween(track, first) && !liesBetween(track, last);
 }
 
 function keyframesOf(track: Track, { first, last }: Run): readonly Keyframe[] {

@@ -35,11 +35,12 @@ export function CompareDialog({ request, dialogs }: DialogProps<Comparison>) {
   const scene = document.scene.value;
   const index = sides?.[0]?.segment ?? 0;
   const [from, to] = endsAround(mainTrack(scene), index);
+  const without = to - from > 1 ? ", without its in-betweens" : "";
   return (
     <Frame
       title="Compare methods"
       size="whole"
-      lead={mainTrack(scene).segments[index] && `${keyframeLabel(scene, from)} → ${keyframeLabel(scene, to)}`}
+      lead={mainTrack(scene).segments[index] && `${keyframeLabel(scene, from)} → ${keyframeLabel(scene, to)}${without}`}
       onClose={dialogs.close}
     >
       {sides ? (

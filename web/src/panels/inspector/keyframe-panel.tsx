@@ -75,12 +75,15 @@ export function KeyframePanel({ index }: { index: number }) {
             onToggle={(isOn) => document.perform(setBetween(index, isOn))}
           />
         )}
-        <Switch
-          label="Ties of its own"
-          note="else those of the whole scene"
-          isOn={keyframe.adjacency !== null}
-          onToggle={(isOn) => document.perform(isOn ? giveOwnTies(index) : dropOwnTies(index))}
-        />
+        {/* Who belongs together is asked at the ends of transitions. */}
+        {!liesBetween(track, index) && (
+          <Switch
+            label="Ties of its own"
+            note="else those of the whole scene"
+            isOn={keyframe.adjacency !== null}
+            onToggle={(isOn) => document.perform(isOn ? giveOwnTies(index) : dropOwnTies(index))}
+          />
+        )}
         {keyframe.absent.length > 0 && <AbsenceNote index={index} />}
         <BreachNote index={index} />
         <div class="inspector-buttons">

@@ -24,6 +24,8 @@ pub struct AvoidanceJob {
     rung: usize,
     best: Option<Best>,
     streams: Option<Streams>,
+    /// Nothing is moved, whatever is too near.
+    only_checks: bool,
 }
 
 /// The best attempt so far.
@@ -60,7 +62,15 @@ impl AvoidanceJob {
     /// When the minimum distance is not above zero: nothing is to be avoided then.
     pub fn new(avoidance: Avoidance, guide: Motion) -> Self {
         assert!(avoidance.minimum_distance > 0.0, "there is a distance to keep");
-        Self { phase: Phase::Checking(Box::new((avoidance, guide))), rung: 0, best: None, streams: None }
+        Self { phase: Phase::Checking(Box::new((avoidance, guide))), rung: 0, best: None, streams: None, only_checks: false }
+    }
+
+    /// The same numbers of a motion that is to stay as it is.
+    ///
+    /// # Panics
+    /// As [`AvoidanceJob::new`].
+    pub fn check(avoidance: Avoidance, motion: Motion) -> Self {
+        Self { only_checks: true, ..Self::new(avoidance, motion) }
     }
 
     /// Works for some milliseconds; longer for thousands of agents.
@@ -69,7 +79,7 @@ impl AvoidanceJob {
     /// After it was done: a bug of the caller.
     pub fn step(&mut self) -> AvoidanceStep {
         match std::mem::replace(&mut self.phase, Phase::Finished) {
-            Phase::Checking(given) => self.check(Problem::of(given.0, given.1)),
+            Phase::Checking(given) => self.begin(Problem::of(given.0, given.1)),
             Phase::Climbing(mut at) => {
                 let (problem, climb) = &mut *at;
                 match climb.step(problem) {
@@ -91,8 +101,8 @@ impl AvoidanceJob {
         AvoidanceStep::Progress((self.rung as f64 + within) / RUNGS.len() as f64)
     }
 
-    fn check(&mut self, problem: Problem) -> AvoidanceStep {
-        if !problem.can_be_mended() {
+    fn begin(&mut self, problem: Problem) -> AvoidanceStep {
+        if self.only_checks || !problem.can_be_mended() {
             return as_it_is(problem);
         }
         self.streams = Streams::of(&problem.guide, &problem.clashes, problem.avoidance.minimum_distance);

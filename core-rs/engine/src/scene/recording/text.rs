@@ -93,7 +93,9 @@ fn rate_of(comment: &str) -> Option<&str> {
     let lower = comment.to_ascii_lowercase();
     let at = ["framerate", "frame rate"].iter().find_map(|name| lower.find(name).map(|at| at + name.len()))?;
     let rest = comment[at..].trim_start_matches([':', '=', ' ', '\t']);
-    rest.split(|c: char| c.is_whitespace() || c.is_ascii_alphabetic()).next()
+    let number = rest.split(|c: char| c.is_whitespace() || c.is_ascii_alphabetic()).next();
+    // Where no number stands, what does is told.
+    number.filter(|number| !number.is_empty()).or(Some(rest))
 }
 
 /// Where the columns stand, if this line names them; units and case do not matter.

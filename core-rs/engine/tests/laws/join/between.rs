@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 
 use super::meeting::{check_velocities, velocities};
 use super::show::{blocks, choice, choices, degenerate, extent, generic, performed, show, spec, symmetric};
-use crate::transition::cases::farthest;
+use crate::transition::cases::{farthest, grid, shuffled};
 
 /// The scene with keyframes between, at `times` and where they are seen then.
 fn inserted(scene: &Scene, performance: &Performance, times: &[f64]) -> Scene {
@@ -156,6 +156,42 @@ fn whoever_is_brought_too_near_there_is_kept_apart_beside_it() {
     }
     check_velocities("kept apart", &scene);
     assert!(velocities(&scene, &performance, 0)[1][0].x > 1.0, "nobody stops there");
+}
+
+#[test]
+fn one_more_beside_a_bend_moves_nothing() {
+    for join in [Join::Separate, Join::Smooth] {
+        let (_, scene) = bent(join, DVec2::new(3.0, -4.0));
+        check_unchanged(&format!("{join:?}"), &scene, &[2.6, 2.85, 3.2, 3.4, 3.7]);
+    }
+}
+
+/// A block whose agents change places at random.
+fn crowded(distance: f64) -> Scene {
+    let formations = [grid(5, 4), shuffled(&grid(5, 4))];
+    let mut scene = show(&formations, Join::Smooth, choice(MethodName::Linear, Order::Greedy, Alignment::None, 0.5));
+    scene.minimum_distance = distance;
+    spec(&mut scene, 0).avoidance = true;
+    scene
+}
+
+#[test]
+fn what_keeping_apart_made_of_a_transition_stays_and_is_told_of_its_parts() {
+    for distance in [0.3, 0.95] {
+        let scene = crowded(distance);
+        let before = performed(&scene);
+        let whole = before.segments()[0].avoided.as_ref().expect("it is asked for");
+        assert_eq!(whole.unsolved.is_empty(), distance < 0.5, "{distance}");
+        check_unchanged(&format!("{distance}"), &scene, &[0.9, 1.4, 1.9]);
+        let after = performed(&inserted(&scene, &before, &[0.9, 1.4, 1.9]));
+        let parts: Vec<_> = after.segments().iter().map(|part| part.avoided.as_ref().expect("of each part")).collect();
+        let least = parts.iter().filter_map(|part| part.guide_clearance).map(|met| met.distance).fold(f64::INFINITY, f64::min);
+        let farthest = parts.iter().map(|part| part.deviation.max).fold(0.0, f64::max);
+        // Between frames the parts have samples of their own, at their keyframes.
+        assert!((least - whole.guide_clearance.expect("there are twenty").distance).abs() < 1e-2, "{least}");
+        assert!((farthest - whole.deviation.max).abs() < 1e-2 && parts.iter().all(|part| part.rung == whole.rung), "{farthest}");
+        assert_eq!(parts.iter().all(|part| part.unsolved.is_empty()), whole.unsolved.is_empty());
+    }
 }
 
 #[test]

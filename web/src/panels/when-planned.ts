@@ -1,0 +1,35 @@
+import { effect, untracked } from "@preact/signals";
+import type { Planning } from "../engine/api";
+import type { ActionParts } from "./doing";
+
+/** Whether what the stage shows of a transition is the motion of the scene as it is, or nothing better is to come. */
+function isSettled(state: Planning | undefined): boolean {
+  return state?.kind !== "planning" || (state.isCurrent && state.motion !== null);
+}
+
+/**
+ * Runs something as soon as the transitions at hand move as they are going to: at once, where they do already.
+ *
+ * @param given what follows when the scene changes before, or other transitions are asked for
+ * @returns whether it ran at once
+ */
+export function whenPlanned(
+  { document, planner }: Pick<ActionParts, "document" | "planner">,
+  segments: readonly number[],
+  run: () => void,
+  given: () => void,
+): boolean {
+  const scene = document.scene.peek();
+  const isOver = () => document.scene.value !== scene;
+  const isThere = () => segments.every((segment) => isSettled(planner.segments.value[segment]));
+  let hasRun = false;
+  let stop: (() => void) | null = null;
+  stop = effect(() => {
+    if (hasRun || (!isOver() && !isThere())) return;
+    hasRun = true;
+    untracked(isOver() ? given : run);
+    stop?.();
+  });
+  if (hasRun) stop();
+  return hasRun;
+}
