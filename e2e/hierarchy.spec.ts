@@ -59,6 +59,28 @@ test("three blocks are proposed as groups, accepted, and taken back as one step"
   expect((await studio.sceneFile()).groups ?? []).toEqual([]);
 });
 
+test("a file and a link leave out the groups that nobody accepted, and say so", async ({ studio, page, visitor }) => {
+  await drawBlocks(studio);
+  await studio.inspector.getByRole("button", { name: "Propose groups" }).click();
+  await expect(studio.inspector.getByText("3 groups", { exact: true })).toBeVisible();
+  expect((await studio.sceneFile()).groups ?? []).toEqual([]);
+  await expect(studio.message("until you accept it")).toBeVisible();
+  expect((await studio.sceneFile(() => page.keyboard.press("Control+s"))).groups ?? []).toEqual([]);
+
+  await studio.button("Share").click();
+  await expect(studio.dialog.getByText("until you accept it")).toBeVisible();
+  const field = page.getByRole("textbox", { name: "Link", exact: true });
+  await expect(field).toHaveValue(/#s=1\./);
+  const link = await field.inputValue();
+  await studio.dialog.getByRole("button", { name: "Close" }).click();
+  await visitor.open(link);
+  await expect(visitor.keyframes).toHaveCount(1);
+  expect((await visitor.sceneFile()).groups ?? []).toEqual([]);
+
+  await studio.inspector.getByRole("button", { name: "Accept" }).click();
+  expect((await studio.sceneFile()).groups ?? []).toHaveLength(3);
+});
+
 test("a group is dragged as one, an agent within it alone, and Escape comes out", async ({ studio, page }) => {
   await drawBlocks(studio);
   await acceptThree(studio);

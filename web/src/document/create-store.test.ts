@@ -30,6 +30,17 @@ test("a drag is one undo entry however many moves it took", () => {
   expect(document.redoLabel.value).toBe("Move agents");
 });
 
+test("what a gesture previews is accepted when it is committed, not before", () => {
+  const document = documentWith([0, 0]);
+  const start = document.scene.value;
+  const gesture = document.beginGesture();
+  gesture.preview(moveAgents(0, FIRST, [3, 0]));
+  expect(document.accepted.value).toBe(start);
+  gesture.commit();
+  expect(document.accepted.value).not.toBe(start);
+  expect(document.accepted.value).toBe(document.scene.value);
+});
+
 test("a canceled gesture leaves the identical scene and nothing to undo or redo anew", () => {
   const document = documentWith([0, 0]);
   document.perform(setTitle("Opener"));

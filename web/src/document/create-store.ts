@@ -10,7 +10,8 @@ export function createDocument(initial: Scene): DocumentStore {
   const history = signal<History>(startHistory(initial));
   const preview = signal<Scene | null>(null);
   const isDragging = signal(false);
-  const scene = computed(() => preview.value ?? history.value.present);
+  const accepted = computed(() => history.value.present);
+  const scene = computed(() => preview.value ?? accepted.value);
   const selection = signal<Selection>(NOTHING);
   const activeKeyframe = signal(0);
   let open: Gesture | null = null;
@@ -77,6 +78,7 @@ export function createDocument(initial: Scene): DocumentStore {
 
   return {
     scene,
+    accepted,
     undoLabel: computed(() => history.value.past.at(-1)?.label ?? null),
     redoLabel: computed(() => history.value.future.at(-1)?.label ?? null),
     isDragging,

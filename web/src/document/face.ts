@@ -16,9 +16,11 @@ export function seenThrough(document: DocumentStore, face: ReadonlySignal<Face |
     const now = face.peek();
     return now ? { ...command, apply: (scene) => now.meant(command.apply(now.shown(scene)), scene) } : command;
   }
+  const seen = (scene: ReadonlySignal<Scene>) => computed(() => face.value?.shown(scene.value) ?? scene.value);
   return {
     ...document,
-    scene: computed(() => face.value?.shown(document.scene.value) ?? document.scene.value),
+    scene: seen(document.scene),
+    accepted: seen(document.accepted),
     perform: (command) => document.perform(through(command)),
     beginGesture() {
       const gesture = document.beginGesture();

@@ -20,6 +20,8 @@ export interface Gesture {
 /** The scene with its history. The only place where the scene changes. */
 export interface DocumentStore {
   readonly scene: ReadonlySignal<Scene>;
+  /** The scene without what a gesture under way previews: what is kept, saved and shared. */
+  readonly accepted: ReadonlySignal<Scene>;
   /** What undo would take back, in words; null when there is nothing. */
   readonly undoLabel: ReadonlySignal<string | null>;
   readonly redoLabel: ReadonlySignal<string | null>;

@@ -2,7 +2,7 @@ import { openScene } from "../document/open-scene";
 import type { Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import type { Engine, Planner } from "../engine/api";
-import type { DialogServices } from "../panels/dialogs/services";
+import { type DialogServices, NOT_ACCEPTED } from "../panels/dialogs/services";
 import type { Messages } from "../panels/messages";
 import { withChosen } from "./chosen";
 import { download, fileName } from "./download";
@@ -35,20 +35,29 @@ export interface DeskParts {
 export function createDesk({ document, engine, planner, messages, intake, address, onExample }: DeskParts): Desk {
   const { openFile, openText } = createIntake(intake);
 
+  /** Nobody accepted what is only previewed; what auto takes for it says nothing of the scene without it. */
   function sceneToShare(): Scene {
-    return withChosen(document.scene.peek(), planner.segments.peek());
+    const accepted = document.accepted.peek();
+    return isOnTrial() ? accepted : withChosen(accepted, planner.segments.peek());
+  }
+
+  function isOnTrial(): boolean {
+    return document.scene.peek() !== document.accepted.peek();
   }
 
   function saveFile(ending: string, text: string, type: string): void {
-    download(fileName(document.scene.peek().title, ending), text, type);
+    download(fileName(document.accepted.peek().title, ending), text, type);
   }
 
   return {
     open: () => pickFile((file) => void openFile(file)),
     async save() {
       try {
+        const lacksTrial = isOnTrial();
         saveFile("eigenform.json", await engine.writeScene(sceneToShare()), "application/json");
-        messages.announce("The scene file is in your downloads.");
+        const title = "The scene file is in your downloads.";
+        if (lacksTrial) messages.say({ tone: "good", title, text: NOT_ACCEPTED });
+        else messages.announce(title);
       } catch (error) {
         messages.say({
           tone: "problem",
@@ -60,6 +69,7 @@ export function createDesk({ document, engine, planner, messages, intake, addres
     services: {
       address,
       sceneToShare,
+      isOnTrial,
       loadExamples: async () => (await import("./gallery/sections")).SECTIONS,
       loadPreview: async (id) => (await import("./gallery/previews")).loadPreview(id),
       async openExample({ id, title, view }) {

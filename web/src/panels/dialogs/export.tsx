@@ -15,6 +15,7 @@ import { type Answer, useAnswer } from "./use-answer";
 export function ExportDialog({ dialogs, services }: DialogProps) {
   const { document, engine } = useStudio();
   const [scene] = useState(() => services.sceneToShare());
+  const [isOnTrial] = useState(services.isOnTrial);
   const keyframes = useAnswer(() => engine.writeKeyframes(scene));
   const frames = `${formatCount(frameCount(scene))} frames at ${scene.frameRate} per second`;
   const isEmpty = document.scene.value.tracks[0]?.agents.length === 0;
@@ -30,7 +31,7 @@ export function ExportDialog({ dialogs, services }: DialogProps) {
     <Frame
       title="Export"
       size="medium"
-      lead="Save keeps the whole scene; these are for other tools."
+      lead={`Save keeps the whole scene; these are for other tools.${isOnTrial ? " They leave out what is shown on trial until you accept it." : ""}`}
       onClose={dialogs.close}
     >
       <ul class="exports">

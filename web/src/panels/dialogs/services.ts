@@ -48,12 +48,17 @@ export interface Preview {
   readonly distortions: readonly number[];
 }
 
+/** What is said of a file or link made while something is shown on trial. */
+export const NOT_ACCEPTED = "It leaves out what is shown on trial until you accept it.";
+
 /** What the dialogs do beyond the studio: files, addresses, examples. Wired in main.ts. */
 export interface DialogServices {
   /** The page's address, without a fragment. */
   readonly address: string;
-  /** The scene with what auto chose written down, as it is shared. */
+  /** The scene as it is shared: with what auto chose written down, without what nobody accepted. */
   sceneToShare(): Scene;
+  /** Whether something is shown that nobody accepted yet. */
+  isOnTrial(): boolean;
   loadExamples(): Promise<readonly ExampleSection[]>;
   loadPreview(id: string): Promise<Preview>;
   /** Answers whether it is open; if not, the person has been told why. */

@@ -11,6 +11,7 @@ import { useStudio } from "../studio";
 import { Frame, focusLate } from "./frame";
 import type { DialogProps } from "./host";
 import { LinkMeter } from "./link-meter";
+import { NOT_ACCEPTED } from "./services";
 import { brokenWords, fitWords, roundingWords, savingWords } from "./share-words";
 import { useAnswer } from "./use-answer";
 
@@ -18,6 +19,7 @@ import { useAnswer } from "./use-answer";
 export function ShareDialog({ services, dialogs }: DialogProps) {
   const { engine, document } = useStudio();
   const [scene] = useState(() => services.sceneToShare());
+  const [isOnTrial] = useState(services.isOnTrial);
   const exact = useAnswer(() => engine.link(scene, "exact"));
   const short = useAnswer(() => engine.link(scene, "short"));
   const [isShort, setShort] = useState(false);
@@ -28,7 +30,7 @@ export function ShareDialog({ services, dialogs }: DialogProps) {
     <Frame
       title={title ? `Share “${title}”` : "Share this scene"}
       size="medium"
-      lead="Whoever opens the link gets a copy of the scene that they can edit."
+      lead={`Whoever opens the link gets a copy of the scene that they can edit.${isOnTrial ? ` ${NOT_ACCEPTED}` : ""}`}
       onClose={dialogs.close}
     >
       {wanted.kind === "here" ? (
