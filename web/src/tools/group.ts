@@ -27,6 +27,7 @@ export const groupTool: Tool<GroupState> = {
       case "cancel":
         return IDLE;
       case "press":
+        if (event.isBeside) return { kind: "brushing", origin: event.at, current: event.at };
         return { kind: "pointing", origin: event.at, screen: event.screen };
       case "move":
         if (state.kind === "idle") return { kind: "idle", isOver: editor.agentAt(event) !== null };

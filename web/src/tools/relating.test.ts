@@ -87,6 +87,18 @@ describe("groups", () => {
     expect(bench.document.undoLabel.value).toBe("Make group");
   });
 
+  test("a box begun between keyframes makes its group at the nearest", () => {
+    const bench = benchWith("group");
+    bench.playback.seek(3);
+    bench.drag([
+      [-1, -1],
+      [2, 2],
+      [3, 1],
+    ]);
+    expect(bench.playback.time.value).toBe(4);
+    expect(sets(bench)).toEqual([[0, 1]]);
+  });
+
   test("the same box again selects the group it made", () => {
     const bench = benchWith("group");
     bench.drag([

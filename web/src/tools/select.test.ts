@@ -122,6 +122,26 @@ describe("while the show moves", () => {
     expect(bench.place(0, 0)).toEqual([0, 0]);
   });
 
+  test("a box begun beside everybody selects who stands in it at the keyframe, whoever came under the press", () => {
+    bench = createBench(SQUARE, [
+      [1, 1],
+      [4, 0],
+      [4, 4],
+      [0, 4],
+    ]);
+    bench.playback.seek(3);
+    const start = bench.document.scene.value;
+    bench.shownXy = () => (bench.playback.time.value === 4 ? null : [9, 9, 4, 0, 4, 4, 0, 4]);
+    bench.press([1, 1]);
+    bench.move([3, 3]);
+    expect(bench.toolbox.overlay.value).toEqual({ kind: "marquee", from: [1, 1], to: [3, 3] });
+    bench.move([5, 5]);
+    bench.release([5, 5]);
+    expect(bench.playback.time.value).toBe(4);
+    expect(bench.selected()).toEqual([0, 2]);
+    expect(bench.document.scene.value).toBe(start);
+  });
+
   test("a press stops the playing", () => {
     bench.playback.play();
     bench.click([0, 0]);

@@ -87,6 +87,7 @@ export const selectTool: Tool<SelectState> = {
 };
 
 function press(event: Press, editor: Editor): SelectState {
+  if (event.isBeside) return beginMarquee(event, editor);
   const { document } = editor;
   const scene = document.scene.peek();
   const selected = selectedAgents(scene, document.selection.peek());

@@ -39,6 +39,8 @@ export interface Bench {
   readonly warned: string[];
   /** What the engine answers: by default everybody keeps their order. */
   assign: (source: Formation, target: Formation) => Promise<ArrayLike<number>>;
+  /** Where everybody is shown; null: at the keyframe that is edited. */
+  shownXy: () => ArrayLike<number> | null;
   press(at: Point, held?: Held & { readonly isDouble?: boolean }): void;
   move(at: Point, held?: Held): void;
   release(at: Point, held?: Held): void;
@@ -76,6 +78,9 @@ function benchWith(formations: readonly (readonly Point[])[], tools?: typeof cre
   const announced: string[] = [];
   const warned: string[] = [];
 
+  const keyframeXy = () =>
+    mainTrack(document.scene.peek()).keyframes[document.activeKeyframe.peek()]?.positions.xy ?? [];
+
   const bench: Bench = {
     document,
     view,
@@ -84,6 +89,7 @@ function benchWith(formations: readonly (readonly Point[])[], tools?: typeof cre
     announced,
     warned,
     assign: async (source) => Uint32Array.from({ length: source.agentCount }, (_, i) => i),
+    shownXy: () => null,
     toolbox: createToolbox(
       {
         document,
@@ -91,7 +97,7 @@ function benchWith(formations: readonly (readonly Point[])[], tools?: typeof cre
         playback,
         ties,
         engine: { assign: async (source, target) => Uint32Array.from(await bench.assign(source, target)) },
-        shownXy: () => mainTrack(document.scene.peek()).keyframes[document.activeKeyframe.peek()]?.positions.xy ?? [],
+        shownXy: () => bench.shownXy() ?? keyframeXy(),
         announce: (text) => announced.push(text),
         warn: (title) => warned.push(title),
       },

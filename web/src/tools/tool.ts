@@ -21,7 +21,8 @@ export interface Pointing {
 
 /** What a tool hears. After a press come moves and then one release or cancel; moves come without a press, too. */
 export type ToolEvent =
-  | (Pointing & { readonly kind: "press"; readonly isDouble: boolean })
+  /** `isBeside`: pressed beside everybody, wherever they have come since: the start of a box. */
+  | (Pointing & { readonly kind: "press"; readonly isDouble: boolean; readonly isBeside?: boolean })
   | (Pointing & { readonly kind: "move" })
   | (Pointing & { readonly kind: "release" })
   | { readonly kind: "cancel" };

@@ -45,6 +45,13 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
   /** The rest of a press that only stopped the show. */
   let isSwallowed = false;
 
+  function press(event: Press): void {
+    const meaning = settlePress(event, active.peek(), parts, editor);
+    isPressed = true;
+    isSwallowed = meaning === "nothing";
+    if (!isSwallowed) hands[active.peek()].send(meaning === "box" ? { ...event, isBeside: true } : event);
+  }
+
   function giveUp(): boolean {
     const hand = hands[active.peek()];
     // A polygon stays under way between its clicks.
@@ -82,12 +89,9 @@ export function createWorkbench(parts: ToolParts, settings: Settings): Workbench
         giveUp();
         return;
       }
-      if (event.kind === "press") {
-        isPressed = true;
-        isSwallowed = settlePress(event, active.peek(), parts, editor);
-      }
+      if (event.kind === "press") press(event);
       parts.view.hovered.value = isPressed ? null : editor.agentAt(event);
-      if (!isSwallowed) hands[active.peek()].send(event);
+      if (event.kind !== "press" && !isSwallowed) hands[active.peek()].send(event);
       if (event.kind === "release") {
         isPressed = false;
         isSwallowed = false;
@@ -120,17 +124,21 @@ function settleShow({ document, playback, announce }: ToolParts): boolean {
   return true;
 }
 
-/** Whether the rest of a press is for nothing: it went to a keyframe, where the agent is somewhere else. */
-function settlePress(press: Press, tool: ToolName, parts: ToolParts, editor: Editor): boolean {
+/**
+ * What a press is still meant for once the nearest keyframe was gone to, where what was pressed is somewhere else. A box
+ * begun beside everybody goes on; an agent is only selected.
+ */
+function settlePress(press: Press, tool: ToolName, parts: ToolParts, editor: Editor): "all" | "box" | "nothing" {
   // Neither the view nor what stands on the stage belongs to a keyframe.
-  if (tool === "pan" || tool === "obstacle") return false;
+  if (tool === "pan" || tool === "obstacle") return "all";
   const agent = editor.agentAt(press);
+  const isOnHandle = editor.handleAt(press) !== null;
   const wasMoving = settleShow(parts);
-  if (!wasMoving || tool === "draw" || tool === "shape") return false;
-  if (agent === null) return true;
+  if (!wasMoving || tool === "draw" || tool === "shape") return "all";
+  if (agent === null) return tool !== "tie" && !isOnHandle ? "box" : "nothing";
   const alone = { kind: "agents", agents: new Set([agent]) } as const;
   parts.document.selection.value = tool === "select" ? unitAt(agent, press, editor) : alone;
-  return true;
+  return "nothing";
 }
 
 /** A tool with the state it is in. */
