@@ -104,6 +104,17 @@ test("a bad file says what is wrong and where, and leaves the scene as it was", 
   expect(unchosen(await studio.sceneFile())).not.toEqual(unchosen(before));
 });
 
+test("the hint of a first visit makes room for what went wrong", async ({ studio, page }) => {
+  await studio.openEmpty();
+  const hint = page.getByRole("note").filter({ hasText: "Start with Draw." });
+  await expect(hint).toBeVisible();
+  await studio.drop("broken.json", "{");
+  await expect(studio.message("broken.json was not opened.")).toBeVisible();
+  await expect(hint).toHaveCount(0);
+  await studio.stage.getByRole("button", { name: "Dismiss" }).click();
+  await expect(hint).toBeVisible();
+});
+
 test("keyframes and motion are exported for other tools", async ({ studio, page }) => {
   await studio.makeShow();
   await studio.planned();

@@ -14,7 +14,7 @@ const WORDS: Readonly<Record<HintStep, { readonly what: string; readonly how: st
 
 /** Three words of help to whoever starts on an empty stage, each at the control it speaks of; never in the way. */
 export function Hint() {
-  const { document, playback, toolbox } = useStudio();
+  const { document, playback, toolbox, messages } = useStudio();
   const isKnown = useSignal(isKnownHere());
   const step = useComputed(() => hintStep(document.scene.value));
 
@@ -29,7 +29,9 @@ export function Hint() {
   const shown = step.value;
   // The tool's own options take the place beside it.
   const isBesideOptions = shown === "draw" && (toolbox.active.value === "draw" || toolbox.active.value === "shape");
-  if (isKnown.value || isBesideOptions) return null;
+  // It would lie over what went wrong, which is worth more.
+  const isInTheWay = messages.shown.value.some(({ tone }) => tone !== "good");
+  if (isKnown.value || isBesideOptions || isInTheWay) return null;
   const { what, how } = WORDS[shown];
   return (
     <div class="hint" data-step={shown} role="note">
