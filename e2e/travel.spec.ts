@@ -1,5 +1,5 @@
 import { expectOpenToAll } from "./fixtures/axe";
-import { expect, test } from "./fixtures/studio";
+import { expect, test, textOf } from "./fixtures/studio";
 
 /** From the first line of `makeShow` around to the right and down to its second formation. */
 const AROUND = [
@@ -48,6 +48,36 @@ test("a formation travels along a path that is drawn, bent, and taken away", asy
   await inspector.getByRole("button", { name: "Remove the path" }).click();
   expect((await studio.sceneFile()).segments?.[0]?.path).toBeUndefined();
   await expect(point).toHaveCount(0);
+});
+
+test("a click is too short for a path, and a path that crosses itself is told of", async ({
+  studio,
+  visitor,
+  page,
+}) => {
+  await studio.makeShow();
+  await studio.transitions.first().click();
+  await studio.inspector.getByRole("button", { name: "Draw a path" }).click();
+  // Where the inspector has made way, the same is said over the stage, once the pen is there.
+  await page.setViewportSize({ width: 960, height: 900 });
+  await expect(studio.stage.getByRole("group", { name: "Path" })).toContainText("Draw from where they stand");
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await studio.click([0.5, 0.5]);
+  await expect(studio.inspector.getByText("Too short for a path")).toBeVisible();
+  await studio.drag([
+    [0.5, 0.35],
+    [0.7, 0.6],
+    [0.8, 0.45],
+    [0.7, 0.38],
+    [0.5, 0.6],
+  ]);
+  await expect(studio.message("It crosses itself")).toBeVisible();
+  await expect(studio.inspector.getByText("It crosses itself")).toBeVisible();
+
+  const download = await studio.downloadOf(() => studio.button("Save").click());
+  await visitor.openFirst();
+  await visitor.drop("loop.json", await textOf(download));
+  await expect(visitor.message("crosses itself")).toBeVisible();
 });
 
 test("without a pointer a path is a bow, and a link carries it", async ({ studio, visitor, page }) => {

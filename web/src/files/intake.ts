@@ -2,7 +2,7 @@ import { effect, type Signal } from "@preact/signals";
 import { NEW_MINIMUM_DISTANCE } from "../document/defaults";
 import { openScene } from "../document/open-scene";
 import { isWithoutDistance } from "../document/queries";
-import type { Scene } from "../document/scene";
+import { mainTrack, type Scene } from "../document/scene";
 import type { DocumentStore } from "../document/store";
 import { lengthWithUnit } from "../document/units";
 import type { Engine, Opened } from "../engine/api";
@@ -76,15 +76,26 @@ export function createIntake(parts: IntakeParts): Intake {
     const scene = titled(opened, name);
     openScene(document, scene, `Open ${name}`);
     onOpened();
+    const notes = [...opened.notes, ...(await crossings(scene))];
     const said = { tone: "good", about: OPENING, title: `${name} is open.` } as const;
     const offers = opened.source === "csv" && isWithoutDistance(scene) ? await keepingApart(scene) : null;
     if (offers) {
-      const text = [...opened.notes, "A table names no distance, so nobody is kept apart on the way."].join(" ");
+      const text = [...notes, "A table names no distance, so nobody is kept apart on the way."].join(" ");
       dismissOnceApart(messages.say({ ...said, text, actions: offers }));
     } else {
-      messages.say({ ...said, text: opened.notes.join(" ") || "The scene before it is one undo away." });
+      messages.say({ ...said, text: notes.join(" ") || "The scene before it is one undo away." });
     }
     return true;
+  }
+
+  /** What is said of paths that cross themselves; nothing where they cannot be looked at. */
+  async function crossings(scene: Scene): Promise<readonly string[]> {
+    if (mainTrack(scene).segments.every(({ path }) => path === null)) return [];
+    try {
+      return (await import("../panels/travel/crossings")).crossings(scene);
+    } catch {
+      return [];
+    }
   }
 
   /** At the distance of new scenes; nothing where the command does not come. */

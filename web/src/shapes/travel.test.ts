@@ -113,6 +113,20 @@ test("who crosses their own way is told, who turns a corner is not", () => {
   ).toBe(false);
 });
 
+test("who comes back to a point of their way is told, who only ends where they began is not", () => {
+  const eight: Point[] = [
+    [-5, 0],
+    [0, 0],
+    [5, 5],
+    [0, 5],
+    [0, 0],
+    [0, -5],
+  ];
+  expect(crosses(eight)).toBe(true);
+  expect(crosses(curveThrough(eight))).toBe(true);
+  expect(crosses(curveThrough(bowBetween([0, 0], [0, 0], CENTIMETER)))).toBe(false);
+});
+
 test("the turn between formations is that of least squares", () => {
   const shape = Formation.from([
     [0, 0],

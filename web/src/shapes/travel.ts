@@ -14,6 +14,8 @@ const NEAR = 0.012;
 const RISE = 0.25;
 /** A bow from a place back to it, meters. */
 const LOOP = 8;
+/** Meters: a curve through a point is led there by a sum, which is exact to this at any size of a stage. */
+const ROUND_OFF = 1e-9;
 
 /**
  * The points of a path where they are followed from one barycenter to another: each as far from the straight way between those as it is
@@ -132,8 +134,9 @@ export function settled(points: readonly Point[], from: Point, to: Point, snap: 
   return followed(ends, from, to).map((point) => snapPoint(point, snap));
 }
 
-/** Whether a line crosses itself. */
+/** Whether a line crosses itself, or comes back to one of its points; that it ends where it began is no crossing. */
 export function crosses(line: readonly Point[]): boolean {
+  if (returns(line)) return true;
   const turn = (a: Point, b: Point, p: Point) => (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
   const part = (a: Point, b: Point, c: Point, d: Point) => turn(a, b, c) * turn(a, b, d) < 0;
   return line.some((a, i) => {
@@ -143,6 +146,15 @@ export function crosses(line: readonly Point[]): boolean {
       const d = line[i + 3 + k];
       return d !== undefined && part(a, b, c, d) && part(c, d, a, b);
     });
+  });
+}
+
+function returns(line: readonly Point[]): boolean {
+  const isSame = (a: Point, b: Point) => distance(a, b) < ROUND_OFF;
+  return line.some((a, i) => {
+    const away = line.findIndex((b, j) => j > i && !isSame(a, b));
+    const back = away < 0 ? -1 : line.findIndex((b, j) => j > away && isSame(a, b));
+    return back > 0 && !(isSame(a, line[0] ?? a) && line.slice(back).every((b) => isSame(a, b)));
   });
 }
 

@@ -7,11 +7,12 @@ import { mainTrack } from "../../document/scene";
 import { nudgeSteps, snapOf, snapPoint } from "../../document/snap";
 import { endsAround } from "../../document/stretches";
 import { extended, isMeant } from "../../shapes/stroke";
-import { bowBetween, curveThrough, followed, pathOfStroke, settled } from "../../shapes/travel";
+import { bowBetween, crosses, curveThrough, followed, pathOfStroke, settled } from "../../shapes/travel";
 import { toScreen, toStage } from "../../stage/camera";
 import { useStudio } from "../studio";
 import { PathPoint } from "./path-point";
 import { penOn } from "./pen";
+import { isTooShort, penWords } from "./pen-words";
 
 /** Pixels between the points kept of a stroke. */
 const GRAIN = 3;
@@ -24,7 +25,7 @@ const WHEEL_DOUBLING = 400;
 
 /** The path of the transition that is looked at: a dashed arrow over the stage, its points to be pulled, and the pen to draw one. */
 export function PathOverlay() {
-  const { document, view } = useStudio();
+  const { document, messages, view } = useStudio();
   const selection = document.selection.value;
   const scene = document.scene.value;
   const index = selection.kind === "transition" ? selection.index : -1;
@@ -32,12 +33,15 @@ export function PathOverlay() {
   const { keyframes, segments } = track;
   const [source, target] = endsAround(track, index).map((end) => keyframes[end]?.positions);
   const stroke = useSignal<readonly Point[]>([]);
+  const isDrawing = penOn.value === index;
+  useEffect(() => {
+    isTooShort.value = false;
+  }, [isDrawing]);
   if (!source || !target || view.projection.value !== "plan") return null;
 
   const [from, to] = [barycenterOf(source), barycenterOf(target)];
   const path = segments[index]?.path;
   const points = path ? followed(path, from, to) : [];
-  const isDrawing = penOn.value === index;
   const camera = view.camera.value;
   const shown = (line: readonly Point[]) => line.map((point) => toScreen(camera, point));
   const snap = snapOf(scene);
@@ -84,9 +88,19 @@ export function PathOverlay() {
           stroke={stroke}
           onDone={(drawn) => {
             const made = pathOfStroke(drawn, from, to, snap);
+            isTooShort.value = !made;
             if (!made) return;
             penOn.value = null;
             document.perform(setPath(index, made, "Draw path"));
+            if (!crosses(curveThrough(followed(made, from, to)))) return;
+            messages.say({
+              tone: "good",
+              title: "The path is drawn.",
+              text: "It crosses itself: they pass there twice.",
+            });
+          }}
+          onShort={() => {
+            isTooShort.value = true;
           }}
         />
       )}
@@ -106,7 +120,7 @@ export function PathOverlay() {
 function PenBar({ onBow }: { onBow(): void }) {
   return (
     <fieldset class="floating travel-bar" aria-label="Path">
-      <p>Draw from where they stand to where they go.</p>
+      <p role="status">{penWords.value}</p>
       <button type="button" class="button" onClick={onBow}>
         Make a bow
       </button>
@@ -124,9 +138,14 @@ function PenBar({ onBow }: { onBow(): void }) {
 }
 
 /** What draws: presses, pulls and lets go; the wheel still zooms. */
-function Pen(props: { stroke: { value: readonly Point[] }; onDone(drawn: readonly Point[]): void }) {
+function Pen(props: {
+  stroke: { value: readonly Point[] };
+  onDone(drawn: readonly Point[]): void;
+  /** It was a click, or hardly more. */
+  onShort(): void;
+}) {
   const { view } = useStudio();
-  const { stroke, onDone } = props;
+  const { stroke, onDone, onShort } = props;
   useEffect(
     () => () => {
       stroke.value = [];
@@ -150,6 +169,7 @@ function Pen(props: { stroke: { value: readonly Point[] }; onDone(drawn: readonl
         const drawn = stroke.value;
         stroke.value = [];
         if (isMeant(drawn, meters(SHORTEST))) onDone(drawn);
+        else if (drawn.length > 0) onShort();
       }}
       onPointerCancel={() => {
         stroke.value = [];

@@ -10,6 +10,7 @@ import { Row } from "../controls/row";
 import { Section } from "../inspector/section";
 import { useStudio } from "../studio";
 import { penOn } from "./pen";
+import { penWords } from "./pen-words";
 
 /** Turns below this are a trembling hand's, radians: 3°. */
 const LEAST_TURN = 0.05;
@@ -72,7 +73,9 @@ export function PathPart({ index, segment }: { index: number; segment: Segment }
         </button>
       </Row>
       {isDrawing && (
-        <p class="inspector-text">Draw from where they stand to where they go. Enter makes a bow, Escape gives up.</p>
+        <p class="inspector-text" role="status">
+          {penWords.value} Enter makes a bow, Escape gives up.
+        </p>
       )}
       {line && !isDrawing && (
         <>

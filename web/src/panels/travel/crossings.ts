@@ -1,0 +1,16 @@
+import { barycenterOf } from "../../document/formation";
+import { keyframeLabel } from "../../document/queries";
+import { mainTrack, type Scene } from "../../document/scene";
+import { endsAround } from "../../document/stretches";
+import { crosses, curveThrough, followed } from "../../shapes/travel";
+
+/** A sentence for each path that crosses itself: it is followed all the same. */
+export function crossings(scene: Scene): readonly string[] {
+  const track = mainTrack(scene);
+  return track.segments.flatMap(({ path }, index) => {
+    const [from, to] = endsAround(track, index).map((end) => track.keyframes[end]?.positions);
+    if (!path || !from || !to) return [];
+    if (!crosses(curveThrough(followed(path, barycenterOf(from), barycenterOf(to))))) return [];
+    return `The path from ${keyframeLabel(scene, index)} crosses itself: they pass there twice.`;
+  });
+}
