@@ -156,3 +156,25 @@ test("a link that was sent opens on the phone", async ({ studio, visitor, page }
   await expect(studio.dialog).toHaveCount(0);
   await expect(studio.button("Pause")).toBeVisible();
 });
+
+test("what places a shape is in sight however much is asked before it", async ({ studio, page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  await startEmpty(studio);
+  await studio.tool("Shape").tap();
+  await studio.button("Text…").tap();
+  await studio.dialog.getByRole("textbox", { name: "Text", exact: true }).fill("GO");
+  await expect(studio.button(/^Place \d+ agents$/)).toBeInViewport({ ratio: 1 });
+});
+
+test("what a tool can be told makes way for the sheet of a transition", async ({ studio }) => {
+  await startEmpty(studio);
+  await studio.tool("Draw").tap();
+  await touch(studio, [LINE]);
+  await studio.button("Add keyframe").tap();
+  await expect(studio.keyframes).toHaveCount(2);
+  const options = studio.stage.getByRole("group", { name: "Drawing" });
+  await expect(options).toBeVisible();
+  await studio.transitions.first().tap();
+  await expect(studio.inspector.getByRole("combobox", { name: "Method" })).toBeVisible();
+  await expect(options).toBeHidden();
+});
