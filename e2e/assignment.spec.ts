@@ -82,3 +82,23 @@ test("who goes where goes around obstacles, not through", async ({ studio }) => 
   expect(through).toBeLessThan(150);
   expect(around).toBeGreaterThan(300);
 });
+
+test("a number that is nobody's locks nobody, and that is said", async ({ studio }) => {
+  await studio.makeShow();
+  const { inspector } = studio;
+  await studio.transitions.first().click();
+  await inspector.getByRole("combobox", { name: "Assignment" }).selectOption("Least effort");
+  const agent = inspector.getByRole("spinbutton", { name: "Agent to lock" });
+  const lock = inspector.getByRole("button", { name: "Lock", exact: true });
+  const locks = inspector.getByRole("list", { name: "Locks" }).getByRole("listitem");
+  await inspector.getByRole("spinbutton", { name: "Place of agent" }).fill("5");
+  await agent.fill("99");
+  await lock.click();
+  await expect(inspector.getByText("Nobody is locked: there is no agent 99.")).toBeVisible();
+  await expect(agent).toHaveValue("99");
+  await expect(locks).toHaveCount(0);
+  await agent.fill("7");
+  await lock.click();
+  await expect(locks).toHaveText(["7 → place of 5"]);
+  await expect(inspector.getByText("Nobody is locked")).toHaveCount(0);
+});

@@ -17,10 +17,17 @@ const MOST_SHOWN = 6;
 export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTrial }) {
   const { locks } = trial.question.value.recipe;
   const pair = useSignal<readonly [agent: number, slot: number]>([1, 1]);
-  const number = wholeQuantity(1, Math.max(1, mainTrack(scene).agents.length));
+  /** A number that was to be locked and is nobody's. */
+  const nobody = useSignal<number | null>(null);
+  const count = mainTrack(scene).agents.length;
+  const number = wholeQuantity(1, Math.max(1, count));
   const [agent, slot] = pair.value;
   const latest = fewOf(locks.toReversed(), MOST_SHOWN).toReversed();
   const gaveWay = trial.gaveWay.value;
+  function lock(): void {
+    nobody.value = pair.value.find((asked) => asked < 1 || asked > count) ?? null;
+    if (nobody.value === null) trial.lock(agent - 1, slot - 1);
+  }
   const hiddenCount = locks.length - latest.length;
   return (
     <>
@@ -45,7 +52,9 @@ export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTria
       )}
       {hiddenCount > 0 && <p class="inspector-text">and {hiddenCount} more locks</p>}
       <p class="inspector-text" role="status">
-        {gaveWay &&
+        {nobody.value !== null && `Nobody is locked: there is no agent ${nobody.value}.`}
+        {nobody.value === null &&
+          gaveWay &&
           `${agentLabel(scene, gaveWay.agent)}'s lock gave way: ${agentLabel(scene, gaveWay.to)} has that place now.`}
       </p>
       <Row label="Lock" note="or drag on the stage">
@@ -55,7 +64,9 @@ export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTria
             value={agent}
             quantity={number}
             isLive
+            isUnbound
             onCommit={(value) => {
+              nobody.value = null;
               pair.value = [Math.round(value), slot];
             }}
           />
@@ -65,11 +76,13 @@ export function LockList({ scene, trial }: { scene: Scene; trial: AssignmentTria
             value={slot}
             quantity={number}
             isLive
+            isUnbound
             onCommit={(value) => {
+              nobody.value = null;
               pair.value = [agent, Math.round(value)];
             }}
           />
-          <button type="button" class="button" onClick={() => trial.lock(agent - 1, slot - 1)}>
+          <button type="button" class="button" onClick={lock}>
             Lock
           </button>
         </span>

@@ -26,6 +26,8 @@ export function NumberBox(props: {
   isDisabled?: boolean;
   /** Taken over while it is typed: for settings, which are not undone. */
   isLive?: boolean;
+  /** What is out of bounds is taken over as it is, and told: whoever asked judges it. */
+  isUnbound?: boolean;
   describedBy?: string | undefined;
   onCommit(value: number): void;
 }) {
@@ -41,7 +43,9 @@ export function NumberBox(props: {
     const timer = setTimeout(() => setCorrection(null), CORRECTION_TIME);
     return () => clearTimeout(timer);
   }, [correction]);
-  const isInvalid = draft !== null && quantity.parse(draft) === null;
+  const bound = (number: number) => (props.isUnbound ? number : clampTo(quantity, number));
+  const typed = draft === null ? value : quantity.parse(draft);
+  const isInvalid = typed === null || (props.isUnbound === true && typed !== clampTo(quantity, typed));
 
   function tell(words: string): void {
     setCorrection(words);
@@ -59,7 +63,7 @@ export function NumberBox(props: {
     const admissible = clampTo(quantity, number);
     if (admissible !== number) tell(rangeWords(quantity));
     else if (!props.isLive) setAsked(number);
-    props.onCommit(admissible);
+    props.onCommit(bound(number));
   }
 
   function commit(): void {
@@ -95,7 +99,7 @@ export function NumberBox(props: {
           const typed = quantity.parse(event.currentTarget.value);
           setDraft(event.currentTarget.value);
           setCorrection(null);
-          if (props.isLive && typed !== null) props.onCommit(clampTo(quantity, typed));
+          if (props.isLive && typed !== null) props.onCommit(bound(typed));
         }}
         onBlur={commit}
         onKeyDown={(event) => {
