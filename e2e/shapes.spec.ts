@@ -43,7 +43,7 @@ test("text and a dropped picture become formations of exactly the agents there a
     "There is no shape in this picture: all of it is transparent; take one in which something can be seen.",
   );
   await studio.drop("broken.png", "no picture at all");
-  await expect(says).toHaveText(/^broken\.png cannot be read; PNG, JPEG, WebP and SVG can, up to 8,192/);
+  await expect(says).toHaveText("broken.png is text, not a picture; a shape is read from PNG, JPEG, WebP and SVG.");
   await studio.drop("white.svg", svg('<path d="M -9 -9 H 99 V 99 H -9 Z" fill="white"/>'));
   await expect(says).toHaveText("There is no shape in this picture: all of it has one color.");
   await studio.drop("cut.png", await cutPicture(studio));
@@ -51,6 +51,8 @@ test("text and a dropped picture become formations of exactly the agents there a
   await studio.dialog.getByRole("radio", { name: "Path" }).check();
   await studio.dialog.getByRole("textbox", { name: "Path" }).fill("garbage");
   await expect(says).toHaveText("This is no path; one is M 0 0 L 4 0 L 2 3 Z.");
+  await studio.dialog.getByRole("textbox", { name: "Path" }).fill("M 0 0 L 10 10");
+  await expect(says).toHaveText("This path has no inside; one that has is M 0 0 L 4 0 L 2 3 Z.");
   await studio.drop("two.svg", TWO);
   await expect(studio.dialog.getByRole("img", { name: "70 places" })).toBeVisible();
   await expect(studio.dialog.getByRole("spinbutton", { name: "Agents" })).toBeDisabled();

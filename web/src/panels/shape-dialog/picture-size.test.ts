@@ -16,10 +16,22 @@ test("a picture too large to load says how large it is, how large it may be, and
   expect(says).toContain("scale it down");
 });
 
-test("what is no picture says which are, and that it may be too large", () => {
-  for (const start of [new DataView(new ArrayBuffer(3)), new DataView(new ArrayBuffer(24)), pngStart(9, 9)]) {
-    expect(loadRefusal("broken.png", start)).toMatch(/cannot be read; PNG, JPEG, WebP and SVG can, .* if it is larger/);
-  }
+test("a picture that does not load says what can, and that it may be too large", () => {
+  expect(loadRefusal("broken.png", pngStart(9, 9))).toMatch(
+    /cannot be read; PNG, JPEG, WebP and SVG can, .* if it is larger/,
+  );
+});
+
+test.each([
+  ["Dear all,", "text, not a picture"],
+  ["%PDF-1.7", "a PDF"],
+  ["GIF89a", "a GIF"],
+  ["\0\0\0\x20ftypheic", "a video, a HEIC or an AVIF"],
+  ["\0\0\0", "no picture"],
+  ["", "empty"],
+])("a file of %j is told to be %s, not to be scaled down", (text, kind) => {
+  const start = new DataView(Uint8Array.from(text, (letter) => letter.charCodeAt(0)).buffer);
+  expect(loadRefusal("party.png", start)).toBe(`party.png is ${kind}; a shape is read from PNG, JPEG, WebP and SVG.`);
 });
 
 test("a picture of the limit is taken", () => {
