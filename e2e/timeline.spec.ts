@@ -113,3 +113,17 @@ test("whoever drags past what the show allows is told where it stopped", async (
   await hold.press("ArrowLeft");
   await expect(page.getByRole("status").filter({ hasText: "Hold: As near as it can be: 0 s" })).toBeAttached();
 });
+
+test("the tip of the leftmost button is in the window", async ({ studio, page }) => {
+  await studio.makeShow();
+  const button = studio.button("To start");
+  await button.hover();
+  const { from, width } = await button.evaluate((element) => {
+    const tip = getComputedStyle(element, "::after");
+    const shift = tip.translate === "none" ? 0 : Number.parseFloat(tip.translate) / 100;
+    const width = Number.parseFloat(tip.width);
+    return { from: element.getBoundingClientRect().left + Number.parseFloat(tip.left) + shift * width, width };
+  });
+  expect(from).toBeGreaterThanOrEqual(0);
+  expect(from + width).toBeLessThanOrEqual(page.viewportSize()?.width ?? 0);
+});
