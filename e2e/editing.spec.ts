@@ -130,6 +130,10 @@ test("before a stroke it is said whom it places where, and a number out of bound
   await count.press("Enter");
   await expect(count).toHaveValue("5000");
   await expect(options).toContainText("Between 1 and 5,000");
+  const correction = await options.getByText("Between 1 and 5,000").boundingBox();
+  const panel = await options.boundingBox();
+  // It stands over none of the fields.
+  expect(correction?.x ?? 0).toBeGreaterThanOrEqual((panel?.x ?? 0) + (panel?.width ?? 0));
   await count.fill("3");
   await expect(options).not.toContainText("Between");
   await expect(options).toContainText("3 new agents come into every keyframe");

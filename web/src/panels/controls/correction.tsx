@@ -3,7 +3,7 @@ import { placeBeside, type Side } from "./place-beside";
 
 /** What became of a number, beside where it was set; over everything, so that no panel cuts it off. Read out elsewhere. */
 export function Correction(props: { words: string; anchor: HTMLElement | null; side?: Side }) {
-  const { words, anchor, side = "below-end" } = props;
+  const { words, anchor, side = "outside" } = props;
   const bubble = useRef<HTMLSpanElement>(null);
 
   useLayoutEffect(() => bubble.current?.showPopover(), []);
@@ -11,7 +11,8 @@ export function Correction(props: { words: string; anchor: HTMLElement | null; s
   useLayoutEffect(() => {
     const said = bubble.current;
     if (!said || !anchor) return;
-    const settle = () => placeBeside(said, anchor, side);
+    const row = anchor.closest(".row, .tool-options") ?? anchor;
+    const settle = () => placeBeside(said, anchor, side, side === "outside" ? row : anchor);
     settle();
     addEventListener("scroll", settle, { capture: true, passive: true });
     return () => removeEventListener("scroll", settle, { capture: true });
