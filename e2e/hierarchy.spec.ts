@@ -72,7 +72,8 @@ test("a file and a link leave out the groups that nobody accepted, and say so", 
   const field = page.getByRole("textbox", { name: "Link", exact: true });
   await expect(field).toHaveValue(/#s=1\./);
   const link = await field.inputValue();
-  await studio.dialog.getByRole("button", { name: "Close" }).click();
+  await page.keyboard.press("Escape");
+  await expect(studio.dialog).toHaveCount(0);
   await visitor.open(link);
   await expect(visitor.keyframes).toHaveCount(1);
   expect((await visitor.sceneFile()).groups ?? []).toEqual([]);

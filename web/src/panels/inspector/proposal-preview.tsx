@@ -59,6 +59,8 @@ export function ProposalPreview({ proposal, onClose }: { proposal: Proposal; onC
   useEffect(() => {
     function onKeyDown(event: KeyboardEvent): void {
       if (event.key !== "Escape" || event.defaultPrevented) return;
+      // A dialog over it, such as Share, is closed first.
+      if (event.target instanceof Element && event.target.closest("dialog")) return;
       event.preventDefault();
       proposal.cancel();
       onClose();

@@ -102,6 +102,8 @@ function Shown(props: { index: number; spreading: Spreading; before: SegmentRepo
   useEffect(() => {
     function onKeyDown(event: KeyboardEvent): void {
       if (event.key !== "Escape" || event.defaultPrevented) return;
+      // A dialog over it, such as Share, is closed first.
+      if (event.target instanceof Element && event.target.closest("dialog")) return;
       event.preventDefault();
       spreading.discard();
     }
