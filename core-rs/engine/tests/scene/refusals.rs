@@ -175,7 +175,8 @@ fn locks_that_contradict_each_other_say_which() {
     let with_locks = |locks: &str| with_segment(&format!(r#""assignment": {{ "locks": [{locks}] }}"#));
     check(&with_locks("[0, 1], [1, 0], [0, 2]"), "contradictory-locks", "segments[0].assignment.locks[2]");
     check(&with_locks("[0, 1], [2, 1]"), "contradictory-locks", "segments[0].assignment.locks[1]");
-    check(&with_locks("[0, 3]"), "unknown-agent", "segments[0].assignment.locks[0]");
+    check(&with_locks("[0, 3]"), "unknown-slot", "segments[0].assignment.locks[0]");
+    check(&with_locks("[3, 0]"), "unknown-agent", "segments[0].assignment.locks[0]");
     check(&with_locks("[0]"), "wrong-type", "segments[0].assignment.locks[0]");
     check(&with_segment(r#""assignment": { "cost": "nearest" }"#), "unknown-value", "segments[0].assignment.cost");
     check(&with_segment(r#""assignment": { "lambda": 1.5 }"#), "out-of-range", "segments[0].assignment.lambda");

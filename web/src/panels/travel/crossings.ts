@@ -8,8 +8,10 @@ import { crosses, curveThrough, followed } from "../../shapes/travel";
 export function crossings(scene: Scene): readonly string[] {
   const track = mainTrack(scene);
   return track.segments.flatMap(({ path }, index) => {
-    const [from, to] = endsAround(track, index).map((end) => track.keyframes[end]?.positions);
-    if (!path || !from || !to) return [];
+    const ends = endsAround(track, index);
+    const [from, to] = ends.map((end) => track.keyframes[end]?.positions);
+    // The parts of a transition have one path.
+    if (!path || !from || !to || ends[0] !== index) return [];
     if (!crosses(curveThrough(followed(path, barycenterOf(from), barycenterOf(to))))) return [];
     return `The path from ${keyframeLabel(scene, index)} crosses itself: they pass there twice.`;
   });
