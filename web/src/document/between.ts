@@ -1,6 +1,7 @@
 import { cutPath } from "./cut-path";
 import { updateTrack } from "./edit";
 import { barycenterOf } from "./formation";
+import { LIMITS } from "./limits";
 import type { Keyframe, Scene, Segment, Track, TravelPath } from "./scene";
 import { endsAround, liesBetween } from "./stretches";
 
@@ -11,8 +12,17 @@ const ROUND_OFF = 1e-12;
 export function mayLieBetween(track: Track, index: number): boolean {
   const keyframe = track.keyframes[index];
   if (!keyframe) return false;
-  const between = { ...keyframe, between: true, corner: false, hold: 0 };
+  const between = { ...keyframe, between: 1, corner: false, hold: 0 };
   return liesBetween({ ...track, keyframes: track.keyframes.with(index, between) }, index);
+}
+
+/**
+ * How deep a keyframe lies among those at `before` and `after` it: a step deeper than either, so that it bends what is
+ * there already and moves nobody.
+ */
+export function depthBetween(track: Track, before: number, after: number): number {
+  const depths = [before, after].map((at) => (liesBetween(track, at) ? (track.keyframes[at]?.between ?? 0) : 0));
+  return Math.min(LIMITS.keyframes, 1 + Math.max(...depths));
 }
 
 /** The scene with one keyframe changed, which may begin or cease to lie in a transition. */

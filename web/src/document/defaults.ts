@@ -32,7 +32,7 @@ export const DEFAULT_SEGMENT: Segment = {
 };
 
 export function keyframeAt(time: number, positions: Formation): Keyframe {
-  return { name: "", time, hold: 0, corner: false, between: false, positions, absent: [], adjacency: null };
+  return { name: "", time, hold: 0, corner: false, between: 0, positions, absent: [], adjacency: null };
 }
 
 /** A new scene as the page makes it: one keyframe, nobody on it. */

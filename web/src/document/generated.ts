@@ -210,9 +210,9 @@ hold: number,
  */
 corner: boolean, 
 /**
- * It lies in a transition and bends it, instead of ending it: see [`Track::anchors`].
+ * How deep it lies in a transition, which it bends instead of ending it; 0 where it ends one: see [`Track::depths`].
  */
-between: boolean, 
+between: number, 
 /**
  * `positions[i]` is always agent i.
  */

@@ -25,9 +25,7 @@ function scene(agents: Agent[], groups: Group[]): Scene {
     tracks: [
       {
         agents,
-        keyframes: [
-          { name: "", time: 0, hold: 0, corner: false, between: false, positions, absent: [], adjacency: null },
-        ],
+        keyframes: [{ name: "", time: 0, hold: 0, corner: false, between: 0, positions, absent: [], adjacency: null }],
         segments: [],
       },
     ],

@@ -16,9 +16,9 @@ export function withAlikeParts(changed: Track): Track {
 function withEnds(track: Track): Track {
   const last = track.keyframes.length - 1;
   const isEnd = (index: number) => index === 0 || index === last;
-  if (![0, last].some((end) => track.keyframes[end]?.between)) return track;
+  if (![0, last].some((end) => (track.keyframes[end]?.between ?? 0) > 0)) return track;
   const keyframes = track.keyframes.map((was, index) =>
-    isEnd(index) && was.between ? { ...was, between: false } : was,
+    isEnd(index) && was.between > 0 ? { ...was, between: 0 } : was,
   );
   return { ...track, keyframes };
 }

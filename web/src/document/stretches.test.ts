@@ -158,7 +158,7 @@ test("one added at an in-between lies halfway to the next and lies between, too"
 test("what becomes an end of the show is no in-between any longer, whatever comes behind it later", () => {
   const short = deleteKeyframe(4).apply(deleteKeyframe(3).apply(bent()));
   const longer = addKeyframe(12, seen).apply(deleteKeyframe(3).apply(short));
-  expect(mainTrack(longer).keyframes.every((keyframe) => !keyframe.between)).toBe(true);
+  expect(mainTrack(longer).keyframes.every((keyframe) => keyframe.between === 0)).toBe(true);
   expect(anchors(longer)).toEqual([...mainTrack(longer).keyframes.keys()]);
 });
 
@@ -195,4 +195,12 @@ test("a path that is cut and joined again is the same, and one path alone goes o
   const parted = setPath(2, null, "Remove path").apply(setBetween(2, false).apply(scene));
   const joined = segments(setBetween(2, true).apply(parted))[1]?.path;
   expect([joined?.[0], joined?.at(-1)]).toEqual([path[0], [2, 0.5]]);
+});
+
+test("one more beside an in-between lies deeper than it", () => {
+  const depths = (scene: Scene) => mainTrack(scene).keyframes.map((keyframe) => keyframe.between);
+  const twice = addKeyframe(5, seen, TAKEN).apply(bent());
+  expect(depths(twice)).toEqual([0, 0, 2, 1, 0, 0]);
+  expect(depths(addKeyframe(5.5, seen, TAKEN).apply(twice))).toEqual([0, 0, 2, 3, 1, 0, 0]);
+  expect(depths(setBetween(3, true).apply(setBetween(3, false).apply(twice)))).toEqual([0, 0, 2, 3, 0, 0]);
 });

@@ -35,7 +35,7 @@ export function stretchesOf(track: Track): Stretches {
 
 /** Whether a keyframe lies in a transition instead of ending it. */
 export function liesBetween(track: Track, keyframe: number): boolean {
-  return track.keyframes[keyframe]?.between === true && !stretchesOf(track).anchors.includes(keyframe);
+  return (track.keyframes[keyframe]?.between ?? 0) > 0 && !stretchesOf(track).anchors.includes(keyframe);
 }
 
 /** The keyframes that the transition runs between which a segment is, or is a part of. */
@@ -60,7 +60,7 @@ function anchorsOf(track: Track): readonly number[] {
 }
 
 function mayBend({ between, corner, hold }: Keyframe): boolean {
-  return between && !corner && hold === 0;
+  return between > 0 && !corner && hold === 0;
 }
 
 function areAlike(track: Track, segments: readonly number[], gone: readonly number[]): boolean {

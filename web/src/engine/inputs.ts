@@ -31,7 +31,11 @@ export function segmentInputs(scene: Scene, segment: number): Inputs {
 function partInputs(scene: Scene, from: number, to: number): Inputs {
   const inputs: unknown[] = [];
   for (let keyframe = from; keyframe <= to; keyframe += 1) {
-    inputs.push(...tieInputs(scene, keyframe), mainTrack(scene).keyframes[keyframe]?.time);
+    inputs.push(
+      ...tieInputs(scene, keyframe),
+      mainTrack(scene).keyframes[keyframe]?.time,
+      mainTrack(scene).keyframes[keyframe]?.between,
+    );
   }
   return inputs;
 }

@@ -28,7 +28,7 @@ function sceneOf(places: readonly Point[]): Scene {
             time: 0,
             hold: 0,
             corner: false,
-            between: false,
+            between: 0,
             positions: Formation.from(places),
             absent: [],
             adjacency: null,

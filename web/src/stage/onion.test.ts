@@ -10,7 +10,7 @@ function keyframe(time: number, hold: number): Keyframe {
     time,
     hold,
     corner: false,
-    between: false,
+    between: 0,
     positions: Formation.from([[time, 0]]),
     absent: [],
     adjacency: null,

@@ -10,7 +10,7 @@ const stand = (time: number, absent: readonly number[]) => ({
   time,
   hold: 1,
   corner: false,
-  between: false,
+  between: 0,
   positions: Formation.from([
     [0, 0],
     [1, 0],

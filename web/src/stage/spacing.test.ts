@@ -10,7 +10,7 @@ function keyframe(time: number, hold: number, points: readonly Point[]): Keyfram
     time,
     hold,
     corner: false,
-    between: false,
+    between: 0,
     positions: Formation.from(points),
     absent: [],
     adjacency: null,

@@ -400,6 +400,7 @@ impl Work {
             clock,
             start: brief.start,
             end: brief.end,
+            whole: brief.whole.as_ref().map(|Same(whole)| whole.clone()),
             stops: brief.stops(),
         }
     }

@@ -130,8 +130,8 @@ impl Performer {
 
     /// As [`Self::begin`], with the segment moved as scenes cannot ask for it.
     pub fn begin_compared(&mut self, scene: &Scene, index: usize, held: &[Option<Choice>], aside: Aside) -> SegmentJob {
-        let Some(whole) = Whole::of(scene, index, held) else { return self.begin_whole(scene, index, held, aside) };
-        let job = self.begin_whole(&whole.scene, whole.index, &whole.held, aside);
+        let Some(whole) = Whole::above(scene, index, held) else { return self.begin_whole(scene, index, held, aside) };
+        let job = self.begin_compared(&whole.scene, whole.index, &whole.held, aside);
         if whole.has_parts() { SegmentJob::part(job, scene.clone(), index, whole.ends) } else { job }
     }
 

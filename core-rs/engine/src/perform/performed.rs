@@ -42,6 +42,8 @@ pub struct Performed {
     pub(super) clock: Clock,
     pub(super) start: f64,
     pub(super) end: f64,
+    /// What it is a part of.
+    pub(super) whole: Option<Arc<Self>>,
     /// Whether agents stop at its start and its end.
     pub(super) stops: [bool; 2],
 }
@@ -118,6 +120,21 @@ impl Performed {
     /// What was added to the method's own way.
     pub(super) fn deviations(&self) -> impl Iterator<Item = &Deviation> {
         self.crowded.iter().map(|crowded| &crowded.deviation).chain(&self.deviation)
+    }
+
+    /// Whether anybody was kept apart, here or in what it is a part of.
+    pub(super) fn is_moved(&self) -> bool {
+        self.deviation.is_some() || self.whole.as_ref().is_some_and(|whole| whole.is_moved())
+    }
+
+    /// Adds how far that has taken everybody at `time`.
+    pub(super) fn add_moved(&self, time: f64, plan: &mut [DVec2], heights: &mut [f64]) {
+        if let Some(deviation) = &self.deviation {
+            deviation.add_to(time, plan, Some(heights));
+        }
+        if let Some(whole) = &self.whole {
+            whole.add_moved(time, plan, heights);
+        }
     }
 
     /// The method's parameters at `times`, scene seconds.

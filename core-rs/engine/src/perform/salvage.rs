@@ -183,7 +183,7 @@ fn last_beside(scene: &Scene, index: usize) -> usize {
 fn reach(scene: &Scene) -> usize {
     let track = scene.main_track();
     // A keyframe within a transition that others lie in makes two of it.
-    if track.keyframes.iter().any(|keyframe| keyframe.between) {
+    if track.keyframes.iter().any(|keyframe| keyframe.between > 0) {
         track.segments.len()
     } else if scene.join == Join::Separate {
         0

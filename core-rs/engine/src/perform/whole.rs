@@ -2,6 +2,7 @@
 //!
 //! A keyframe between others begins no transition. What it asks for beside the motion of the whole comes to nothing at the next
 //! keyframes, value and velocity, so the rest of the motion stays where it was; where it asks for what is seen there, nothing changes.
+//! So it is within a part, too: keyframes that lie deeper bend what the others have made.
 
 use std::sync::Arc;
 
@@ -14,7 +15,7 @@ use super::performed::Performed;
 use crate::choice::Choice;
 use crate::measure::Extreme;
 use crate::motion::{Motion, closeness};
-use crate::scene::Scene;
+use crate::scene::{Keyframe, Scene};
 use crate::transition::{Chain, Transition};
 
 /// Samples nearer in time are one, seconds.
@@ -32,18 +33,30 @@ pub(super) struct Whole {
 impl Whole {
     /// The transition that segment `index` is, or is a part of. None where each segment of the scene is one.
     pub(super) fn of(scene: &Scene, index: usize, held: &[Option<Choice>]) -> Option<Self> {
+        Self::less_deep_than(1, scene, index, held)
+    }
+
+    /// The same with all keyframes but the deepest.
+    pub(super) fn above(scene: &Scene, index: usize, held: &[Option<Choice>]) -> Option<Self> {
+        let deepest = scene.main_track().depths().into_iter().max().unwrap_or_default();
+        Self::less_deep_than(deepest.max(1), scene, index, held)
+    }
+
+    fn less_deep_than(limit: u32, scene: &Scene, index: usize, held: &[Option<Choice>]) -> Option<Self> {
         let track = scene.main_track();
-        let anchors = track.anchors();
-        if anchors.len() == track.keyframes.len() {
+        let depths = track.depths();
+        let kept: Vec<usize> = (0..depths.len()).filter(|keyframe| depths[*keyframe] < limit).collect();
+        if kept.len() == depths.len() {
             return None;
         }
-        let at = anchors.partition_point(|anchor| *anchor <= index) - 1;
-        let departures = &anchors[..anchors.len() - 1];
+        let at = kept.partition_point(|keyframe| *keyframe <= index) - 1;
+        let departures = &kept[..kept.len() - 1];
         let mut whole = scene.clone();
-        whole.tracks[0].keyframes = anchors.iter().map(|anchor| track.keyframes[*anchor].clone()).collect();
-        whole.tracks[0].segments = departures.iter().map(|anchor| track.segments[*anchor].clone()).collect();
-        let held = departures.iter().map(|anchor| held.get(*anchor).copied().flatten()).collect();
-        Some(Self { scene: whole, index: at, held, ends: [anchors[at], anchors[at + 1]] })
+        let keyframe = |keyframe: usize| Keyframe { between: depths[keyframe], ..track.keyframes[keyframe].clone() };
+        whole.tracks[0].keyframes = kept.iter().copied().map(keyframe).collect();
+        whole.tracks[0].segments = departures.iter().map(|departure| track.segments[*departure].clone()).collect();
+        let held = departures.iter().map(|departure| held.get(*departure).copied().flatten()).collect();
+        Some(Self { scene: whole, index: at, held, ends: [kept[at], kept[at + 1]] })
     }
 
     /// Whether other keyframes lie in it.
@@ -97,7 +110,9 @@ impl Part {
     /// What keeping apart came to: the whole motion was kept apart already, so what was before, and how far agents are from it now, are
     /// those of the method's own way, bent alike.
     pub(super) fn tell(&self, motion: &Motion, avoided: &mut Avoided) {
-        let Some(deviation) = &self.whole.deviation else { return };
+        if !self.whole.is_moved() {
+            return;
+        }
         let seconds = self.end - self.start;
         let ts: Vec<f64> = motion.times().iter().map(|time| (time - self.start) / seconds).collect();
         let mut plan = vec![DVec2::ZERO; motion.agent_count() * ts.len()];
@@ -106,7 +121,7 @@ impl Part {
         let all = self.whole.motion.agent_count();
         for (k, time) in motion.times().iter().enumerate() {
             let (mut aside, mut above) = (vec![DVec2::ZERO; all], vec![0.0; all]);
-            deviation.add_to(*time, &mut aside, Some(&mut above));
+            self.whole.add_moved(*time, &mut aside, &mut above);
             for place in 0..self.agent_count {
                 let (at, agent) = (k * self.agent_count + place, self.number(place));
                 plan[at] -= aside[agent];

@@ -59,7 +59,7 @@ impl Default for Keyframe {
             time: 0.0,
             hold: 0.0,
             corner: false,
-            between: false,
+            between: 0,
             positions: Arc::default(),
             absent: Vec::new(),
             adjacency: None,

@@ -203,8 +203,8 @@ pub struct Keyframe {
     pub hold: f64,
     /// Stop here although segments join smoothly.
     pub corner: bool,
-    /// It lies in a transition and bends it, instead of ending it: see [`Track::anchors`].
-    pub between: bool,
+    /// How deep it lies in a transition, which it bends instead of ending it; 0 where it ends one: see [`Track::depths`].
+    pub between: u32,
     /// `positions[i]` is always agent i.
     #[cfg_attr(feature = "types", ts(type = "Formation"))]
     #[serde(serialize_with = "document::flat")]

@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn parts_of_a_transition_move_as_its_first_does() {
         let text = r#"{ "format": "eigenform", "version": 1, "keyframes": [
-            { "positions": [[0, 0]] }, { "time": 1, "between": true, "positions": [[1, 0]] },
+            { "positions": [[0, 0]] }, { "time": 1, "between": 1, "positions": [[1, 0]] },
             { "time": 2, "positions": [[2, 0]] }, { "time": 3, "positions": [[3, 0]] }
         ], "segments": [{ "method": "polar", "avoidance": true }, { "method": "linear" }, { "method": "shared" }] }"#;
         let scene = read_json(text).expect("the scene is valid");

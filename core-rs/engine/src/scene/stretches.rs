@@ -18,7 +18,7 @@ impl Track {
         let mut anchors = vec![0];
         let mut start = 0;
         for (end, keyframe) in self.keyframes.iter().enumerate().skip(1) {
-            if end < last && keyframe.between && !keyframe.corner && keyframe.hold <= 0.0 {
+            if end < last && keyframe.between > 0 && !keyframe.corner && keyframe.hold <= 0.0 {
                 continue;
             }
             let gone = self.keyframes[start].absent_too(keyframe);
@@ -27,6 +27,18 @@ impl Track {
             start = end;
         }
         anchors
+    }
+}
+
+impl Track {
+    /// By keyframe how deep it lies in a transition; 0 for those that transitions run between.
+    ///
+    /// One of depth 1 bends the transition, one of depth 2 what that has made of it, and so on: whoever lies deeper was there later,
+    /// and leaves to the others what they have.
+    pub fn depths(&self) -> Vec<u32> {
+        let mut depths: Vec<u32> = self.keyframes.iter().map(|keyframe| keyframe.between).collect();
+        self.anchors().into_iter().for_each(|anchor| depths[anchor] = 0);
+        depths
     }
 }
 
@@ -46,17 +58,17 @@ mod tests {
     #[test]
     fn a_keyframe_between_ends_nothing() {
         let with = |flags: [&str; 5]| anchors(&(0..).zip(flags).map(|(time, flags)| keyframe(time, flags)).collect::<Vec<_>>().join(","));
-        let between = r#""between": true,"#;
+        let between = r#""between": 1,"#;
         assert_eq!(with([""; 5]), [0, 1, 2, 3, 4]);
         assert_eq!(with(["", between, between, "", ""]), [0, 3, 4]);
         assert_eq!(with([between; 5]), [0, 4], "the show has two ends");
-        assert_eq!(with(["", r#""between": true, "corner": true,"#, between, r#""between": true, "hold": 0.5,"#, ""]), [0, 1, 3, 4]);
+        assert_eq!(with(["", r#""between": 1, "corner": true,"#, between, r#""between": 1, "hold": 0.5,"#, ""]), [0, 1, 3, 4]);
     }
 
     #[test]
     fn nobody_comes_or_goes_in_the_middle_of_a_transition() {
         let with = |absent: [&str; 4]| {
-            let flags = |(k, absent): (u32, &str)| keyframe(k, &format!(r#""between": true, "absent": [{absent}],"#));
+            let flags = |(k, absent): (u32, &str)| keyframe(k, &format!(r#""between": 1, "absent": [{absent}],"#));
             anchors(&(0..).zip(absent).map(flags).collect::<Vec<_>>().join(","))
         };
         assert_eq!(with(["1", "1", "1", "1"]), [0, 3]);

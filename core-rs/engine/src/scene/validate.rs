@@ -118,6 +118,7 @@ fn check_keyframe(keyframe: &Keyframe, place: Place) -> Result<(), Error> {
     length(&keyframe.name, limits::NAME_CHARACTERS, place.field("name"))?;
     within(keyframe.time, &limits::TIME, place.field("time"))?;
     within(keyframe.hold, &(0.0..=limits::TIME.end() - keyframe.time), place.field("hold"))?;
+    within(f64::from(keyframe.between), &(0.0..=limits::KEYFRAMES as f64), place.field("between"))?;
     check_absent(&keyframe.absent, keyframe.positions.agent_count(), &place.field("absent"))?;
     let positions = place.field("positions");
     keyframe.positions.positions().iter().enumerate().try_for_each(|(agent, position)| {

@@ -130,7 +130,8 @@ fn values_of_another_type_or_word_are_refused() {
     check(&with_field("tension", "\"0.5\""), "wrong-type", "tension");
     check(&with_second(r#""time": "2","#), "wrong-type", "keyframes[1].time");
     check(&with_second(r#""corner": 0,"#), "wrong-type", "keyframes[1].corner");
-    check(&with_second(r#""between": "yes","#), "wrong-type", "keyframes[1].between");
+    check(&with_second(r#""between": true,"#), "wrong-type", "keyframes[1].between");
+    check(&with_second(r#""between": 201,"#), "out-of-range", "keyframes[1].between");
     check(&with("").replace("[1, 0]", "[1]"), "wrong-type", "keyframes[0].positions[1]");
     check(&with("").replace("[1, 0]", "[1, 0, 0, 0]"), "wrong-type", "keyframes[0].positions[1]");
     check(&with("").replace("[1, 0]", "[1, 0, \"high\"]"), "wrong-type", "keyframes[0].positions[1]");

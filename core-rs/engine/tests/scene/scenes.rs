@@ -174,9 +174,9 @@ fn keyframes(counts: Counts, keyframe_count: usize, is_spatial: bool) -> impl St
     })
 }
 
-/// A corner, and one that lies between.
-fn flags() -> impl Strategy<Value = (bool, bool)> {
-    (any::<bool>(), proptest::bool::weighted(0.3))
+/// A corner, and how deep it lies in a transition.
+fn flags() -> impl Strategy<Value = (bool, u32)> {
+    (any::<bool>(), prop_oneof![3 => Just(0), 2 => 1..=200_u32])
 }
 
 fn absent(agent_count: usize) -> impl Strategy<Value = Vec<u32>> {

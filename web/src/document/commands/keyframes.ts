@@ -1,5 +1,5 @@
 import { goneIn } from "../absence";
-import { partedAt, reshapeKeyframe } from "../between";
+import { depthBetween, partedAt, reshapeKeyframe } from "../between";
 import { DEFAULT_SEGMENT, keyframeAt } from "../defaults";
 import { chooseAgain, updateKeyframe, updateTrack } from "../edit";
 import type { Formation } from "../formation";
@@ -23,8 +23,11 @@ export function addKeyframe(time: number, positions: Formation, taken: Choice | 
     apply: (scene) => {
       const slot = slotAfter(scene, time);
       const moment = momentAt(scene, time);
-      const between = moment.kind === "moving" || liesBetween(mainTrack(scene), moment.keyframe);
-      return slot ? insert(scene, slot.index, { ...keyframeAt(slot.time, positions), between }, taken) : scene;
+      const track = mainTrack(scene);
+      const isOnTheWay = moment.kind === "moving" || liesBetween(track, moment.keyframe);
+      if (!slot) return scene;
+      const between = isOnTheWay ? depthBetween(track, slot.index - 1, slot.index) : 0;
+      return insert(scene, slot.index, { ...keyframeAt(slot.time, positions), between }, taken);
     },
   };
 }
@@ -37,7 +40,7 @@ export function duplicateKeyframe(index: number): Command {
       const keyframe = mainTrack(scene).keyframes[index];
       const slot = keyframe && slotAfter(scene, keyframe.time + keyframe.hold);
       if (!keyframe || !slot) return scene;
-      return insert(scene, slot.index, { ...keyframe, time: slot.time, hold: 0, between: false }, null);
+      return insert(scene, slot.index, { ...keyframe, time: slot.time, hold: 0, between: 0 }, null);
     },
   };
 }
@@ -77,8 +80,8 @@ export function setBetween(index: number, between: boolean): Command {
     label: between ? "Make an in-between" : "End the transition here",
     apply: (scene) =>
       reshapeKeyframe(scene, index, (was) => {
-        if (between) return { ...was, between, corner: false, hold: 0 };
-        return was.between ? { ...was, between } : was;
+        if (!between) return was.between > 0 ? { ...was, between: 0 } : was;
+        return { ...was, between: depthBetween(mainTrack(scene), index - 1, index + 1), corner: false, hold: 0 };
       }),
   };
 }

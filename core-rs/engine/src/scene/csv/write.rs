@@ -97,7 +97,7 @@ fn losses(scene: &Scene) -> Vec<(bool, &'static str)> {
         (track.keyframes.iter().any(|keyframe| keyframe.hold > 0.0), "holds"),
         (track.keyframes.iter().any(|keyframe| !keyframe.absent.is_empty()), "who is absent"),
         (track.keyframes.iter().any(|keyframe| keyframe.corner), "corners"),
-        (track.keyframes.iter().any(|keyframe| keyframe.between), "in-between keyframes"),
+        (track.keyframes.iter().any(|keyframe| keyframe.between > 0), "in-between keyframes"),
         (track.keyframes.iter().any(|keyframe| !keyframe.name.is_empty()), "keyframes' names"),
         (!track.segments.iter().all(is_default), "how transitions move"),
         (!scene.obstacles.is_empty(), "obstacles"),

@@ -267,7 +267,7 @@ fn keyframe(value: Value, standing: &mut Standing) -> Result<Keyframe, Error> {
         time: fields.number("time", 0.0)?,
         hold: fields.number("hold", 0.0)?,
         corner: fields.flag("corner")?,
-        between: fields.flag("between")?,
+        between: fields.whole("between", 0)?,
         positions: standing.formation(&fields)?,
         absent,
         adjacency: fields.optional("adjacency", adjacency)?.map(Arc::new),

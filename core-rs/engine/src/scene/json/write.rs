@@ -140,7 +140,7 @@ fn keyframe(out: &mut Layout, keyframe: &Keyframe) {
         number(out, "time", keyframe.time, 0.0);
         number(out, "hold", keyframe.hold, 0.0);
         flag(out, "corner", keyframe.corner);
-        flag(out, "between", keyframe.between);
+        number(out, "between", f64::from(keyframe.between), 0.0);
         positions(out.key("positions"), &keyframe.positions);
         if !keyframe.absent.is_empty() {
             out.key("absent").list_line(&keyframe.absent, |out, agent| out.number(f64::from(*agent)));

@@ -18,9 +18,12 @@ fn inserted(scene: &Scene, performance: &Performance, times: &[f64]) -> Scene {
     let track = &mut scene.tracks[0];
     for time in times {
         let at = track.keyframes.partition_point(|keyframe| keyframe.time <= *time);
+        // One more than what lies beside it.
+        let depths = track.depths();
+        let between = 1 + depths[at - 1].max(depths[at]);
         let positions = Arc::new(performance.formation_at(*time));
         let absent = performance.absent_at(*time);
-        track.keyframes.insert(at, Keyframe { time: *time, between: true, positions, absent, ..Keyframe::default() });
+        track.keyframes.insert(at, Keyframe { time: *time, between, positions, absent, ..Keyframe::default() });
         track.segments.insert(at, track.segments[at - 1].clone());
     }
     validate(&scene).expect("it stays valid");
@@ -93,11 +96,17 @@ fn so_it_is_where_some_are_not_there() {
     check_unchanged("absent", &scene, &[0.9, 2.75, 3.3, 4.8, 7.75]);
 }
 
+/// As deep as each other.
+fn side_by_side(mut scene: Scene) -> Scene {
+    scene.tracks[0].keyframes.iter_mut().for_each(|keyframe| keyframe.between = keyframe.between.min(1));
+    scene
+}
+
 /// Three keyframes in the second transition of a show, the middle one with its first agent `by` meters aside.
 fn bent(join: Join, by: DVec2) -> (Performance, Scene) {
     let scene = show(&generic(9), join, choice(MethodName::Spectral, Order::Greedy, Alignment::Procrustes, 0.5));
     let before = performed(&scene);
-    let mut scene = inserted(&scene, &before, &[2.7, 3.0, 3.5]);
+    let mut scene = side_by_side(inserted(&scene, &before, &[2.7, 3.0, 3.5]));
     let mut places = scene.tracks[0].keyframes[3].positions.positions().to_vec();
     places[0] += by;
     scene.tracks[0].keyframes[3].positions = Arc::new(Formation::new(places));
@@ -128,7 +137,7 @@ fn it_is_reached_passed_with_one_velocity_and_bends_its_neighborhood_alone() {
 fn what_all_keyframes_between_ask_for_is_kept_up_without_swinging() {
     let scene = show(&generic(9), Join::Smooth, choice(MethodName::Linear, Order::Greedy, Alignment::None, 0.5));
     let before = performed(&scene);
-    let mut bent = inserted(&scene, &before, &[2.7, 3.0, 3.5]);
+    let mut bent = side_by_side(inserted(&scene, &before, &[2.7, 3.0, 3.5]));
     for (keyframe, by) in bent.tracks[0].keyframes[2..5].iter_mut().zip([1.0, 1.0, 2.0]) {
         keyframe.positions = Arc::new(Formation::new(keyframe.positions.positions().iter().map(|at| *at + DVec2::X * by).collect()));
     }
@@ -144,7 +153,7 @@ fn what_all_keyframes_between_ask_for_is_kept_up_without_swinging() {
 fn whoever_is_brought_too_near_there_is_kept_apart_beside_it() {
     let text = r#"{ "format": "eigenform", "version": 1, "minimumDistance": 0.5, "join": "smooth", "keyframes": [
         { "positions": [[0, 0], [10, 1]] },
-        { "time": 4, "between": true, "positions": [[5, 0], [5, 0.6]] },
+        { "time": 4, "between": 1, "positions": [[5, 0], [5, 0.6]] },
         { "time": 8, "positions": [[10, 0], [0, 1]] }
     ], "segments": [{ "method": "linear", "avoidance": true }, { "method": "linear" }] }"#;
     let scene = read_json(text).expect("the scene is valid");
@@ -163,6 +172,24 @@ fn one_more_beside_a_bend_moves_nothing() {
     for join in [Join::Separate, Join::Smooth] {
         let (_, scene) = bent(join, DVec2::new(3.0, -4.0));
         check_unchanged(&format!("{join:?}"), &scene, &[2.6, 2.85, 3.2, 3.4, 3.7]);
+    }
+}
+
+#[test]
+fn nor_does_one_beside_a_bend_that_keeps_agents_apart() {
+    for method in [MethodName::Linear, MethodName::Crowd] {
+        let blocks = [0.0, 6.0].map(|x| (0..16).map(|k| DVec2::new(x + f64::from(k % 4), f64::from(k / 4))).collect::<Vec<_>>());
+        let formations = [blocks.concat(), [blocks[1].clone(), blocks[0].clone()].concat()];
+        let mut scene = show(&formations, Join::Smooth, choice(method, Order::Greedy, Alignment::None, 0.5));
+        scene.minimum_distance = 0.5;
+        spec(&mut scene, 0).avoidance = true;
+        let mut bent = inserted(&scene, &performed(&scene), &[1.2]);
+        let places = bent.tracks[0].keyframes[1].positions.positions();
+        let moved = places.iter().enumerate().map(|(agent, at)| if agent < 16 { *at + DVec2::new(0.0, 0.5) } else { *at }).collect();
+        bent.tracks[0].keyframes[1].positions = Arc::new(Formation::new(moved));
+        let parts = performed(&bent);
+        assert!(parts.segments().iter().any(|part| part.avoided.as_ref().is_some_and(|avoided| avoided.deviation.max > 0.01)));
+        check_unchanged(&format!("{method:?}"), &bent, &[0.9, 1.5, 1.8, 2.1]);
     }
 }
 

@@ -96,7 +96,7 @@ const TRAVELED: &str = r#"{
 const BETWEEN: &str = r#"{
   "format": "eigenform", "version": 1, "join": "smooth",
   "keyframes": [
-    { "positions": [[0, 0], [2, 0], [4, 1]] }, { "time": 2.5, "between": true, "positions": [[1.5, 3], [3, 2], [4.25, 4]] },
+    { "positions": [[0, 0], [2, 0], [4, 1]] }, { "time": 2.5, "between": 2, "positions": [[1.5, 3], [3, 2], [4.25, 4]] },
     { "time": 4, "positions": [[5, 5], [-5, 5], [-5, -5]] }
   ],
   "segments": [{ "method": "spectral" }, { "method": "spectral" }]
@@ -166,7 +166,7 @@ fn so_do_those_with_paths_and_absences() {
 
 #[test]
 fn so_do_those_with_keyframes_between() {
-    let link = "#s=1.Jutu0TtJPkjxH8Pc0Aen_rep4Dx69SkXQqYapCNksEHe2heD57pRM32jqA";
+    let link = "#s=1.J3JqzzlJPkjxH8Pc0Aen_rep4Dx69SkXQqYapCNksEHe2heD57pRM32jdUc";
     check(BETWEEN, Precision::Exact, link);
     check(BETWEEN, Precision::Short, link);
     assert_eq!(decode(link), read_json(BETWEEN));
