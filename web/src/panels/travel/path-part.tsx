@@ -1,4 +1,4 @@
-import { useEffect } from "preact/hooks";
+import { useEffect, useLayoutEffect } from "preact/hooks";
 import { setPath, turnFormation } from "../../document/commands/travel";
 import { barycenterOf } from "../../document/formation";
 import { mainTrack, type Segment } from "../../document/scene";
@@ -38,8 +38,9 @@ export function PathPart({ index, segment }: { index: number; segment: Segment }
     },
     [],
   );
-  // Keys are heard here, where the button was pressed: what is drawn on may still be on its way.
-  useEffect(() => {
+  // Keys are heard here, where the button was pressed: what is drawn on may still be on its way. And from the moment that is said:
+  // a key that follows at once would press the button again.
+  useLayoutEffect(() => {
     if (!isDrawing || !from || !to) return;
     const [start, end] = [barycenterOf(from), barycenterOf(to)];
     function onKeyDown(event: KeyboardEvent): void {
