@@ -49,7 +49,7 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
       const positions = parts.positionsAt(slotAfter(document.scene.peek(), time)?.time ?? time);
       make(time, addKeyframe(time, positions, choiceOf(planner.segments.peek()[segment])));
     };
-    const isMade = whenPlanned(parts, [segment], take, () => messages.withdraw(CAPTURING));
+    const isMade = whenPlanned(parts, segment, take, () => messages.withdraw(CAPTURING));
     if (!isMade) messages.say({ ...say, about: CAPTURING });
   }
 

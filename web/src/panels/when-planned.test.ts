@@ -12,7 +12,7 @@ function studio(...states: Planning[]) {
   const run = vi.fn();
   const given = vi.fn();
   const parts = { document: { scene }, planner: { segments } } as unknown as Parameters<typeof whenPlanned>[0];
-  return { scene, segments, run, given, ask: () => whenPlanned(parts, [0], run, given) };
+  return { scene, segments, run, given, ask: () => whenPlanned(parts, 0, run, given) };
 }
 
 test("what needs a motion that is there runs at once", () => {

@@ -8,20 +8,20 @@ function isSettled(state: Planning | undefined): boolean {
 }
 
 /**
- * Runs something as soon as the transitions at hand move as they are going to: at once, where they do already.
+ * Runs something as soon as a transition moves as it is going to: at once, where it does already.
  *
- * @param given what follows when the scene changes before, or other transitions are asked for
+ * @param given what follows when the scene changes before
  * @returns whether it ran at once
  */
 export function whenPlanned(
   { document, planner }: Pick<ActionParts, "document" | "planner">,
-  segments: readonly number[],
+  segment: number,
   run: () => void,
   given: () => void,
 ): boolean {
   const scene = document.scene.peek();
   const isOver = () => document.scene.value !== scene;
-  const isThere = () => segments.every((segment) => isSettled(planner.segments.value[segment]));
+  const isThere = () => isSettled(planner.segments.value[segment]);
   let hasRun = false;
   let stop: (() => void) | null = null;
   stop = effect(() => {

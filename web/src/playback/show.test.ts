@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import { keyframeAt } from "../document/defaults";
 import { Formation, type Point } from "../document/formation";
 import { CROWD_DEFAULTS } from "../document/generated";
 import type { Keyframe, Segment, Timing, Track } from "../document/scene";
@@ -6,16 +7,7 @@ import { SegmentMotion } from "./motion";
 import { eased, Show, showDuration } from "./show";
 
 function keyframe(time: number, hold: number, points: readonly Point[]): Keyframe {
-  return {
-    name: "",
-    time,
-    hold,
-    corner: false,
-    between: 0,
-    positions: Formation.from(points),
-    absent: [],
-    adjacency: null,
-  };
+  return { ...keyframeAt(time, Formation.from(points)), hold };
 }
 
 function segment(timing: Timing): Segment {

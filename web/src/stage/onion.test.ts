@@ -1,20 +1,12 @@
 import { describe, expect, it } from "vitest";
+import { keyframeAt } from "../document/defaults";
 import { Formation } from "../document/formation";
 import type { Keyframe, Track } from "../document/scene";
 import { Show } from "../playback/show";
 import { Onion } from "./onion";
 
 function keyframe(time: number, hold: number): Keyframe {
-  return {
-    name: "",
-    time,
-    hold,
-    corner: false,
-    between: 0,
-    positions: Formation.from([[time, 0]]),
-    absent: [],
-    adjacency: null,
-  };
+  return { ...keyframeAt(time, Formation.from([[time, 0]])), hold };
 }
 
 const track: Track = {

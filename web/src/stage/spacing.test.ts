@@ -1,20 +1,12 @@
 import fc from "fast-check";
 import { describe, expect, it } from "vitest";
+import { keyframeAt } from "../document/defaults";
 import { Formation, type Point } from "../document/formation";
 import type { Keyframe, Track } from "../document/scene";
 import { discRadius, fade, neighborSpacing, screenSpacing, spacingAt, transitionSpacing } from "./spacing";
 
 function keyframe(time: number, hold: number, points: readonly Point[]): Keyframe {
-  return {
-    name: "",
-    time,
-    hold,
-    corner: false,
-    between: 0,
-    positions: Formation.from(points),
-    absent: [],
-    adjacency: null,
-  };
+  return { ...keyframeAt(time, Formation.from(points)), hold };
 }
 
 function row(count: number, distance: number): Point[] {
