@@ -11,13 +11,13 @@ use super::clock::{Clock, path_parameters};
 use super::crowd::Crowding;
 use super::free::freed;
 use super::hurry::hurried;
+use super::part::Part;
 use super::performed::{Candidate, Performed};
 use super::plan::Plan;
 use super::resorts::{Attempt, Next, Resorts};
 use super::sampling::Sampling;
 use super::tied;
 use super::trial::{Trial, chosen, with_resort};
-use super::whole::Part;
 use crate::COMPARES;
 use crate::choice::{Choice, MethodName};
 use crate::edits::Deviation;
@@ -26,7 +26,7 @@ use crate::measure;
 use crate::motion::{Motion, sample_times};
 use crate::recent::Same;
 use crate::scene::Scene;
-use crate::transition::{Chain, End, Transition, Travel, Way, Ways};
+use crate::transition::{Chain, End, Transition, Travel, Way, Ways, interpolated};
 
 /// How much of a segment's progress is its planning.
 const PLANNING_SHARE: f64 = 0.7;
@@ -48,9 +48,6 @@ const TYPICAL_STEPS: f64 = 8.0;
 
 /// What one choice still to make counts for: more than the ways that auto tries, so that progress never falls.
 const CHOICE_STEPS: f64 = 12.0;
-
-/// A spectral plan of a segment alone keeps so many matrices of agents × agents, and one that passes keyframes so many.
-const PLAN_MATRICES: [usize; 2] = [2, 6];
 
 /// What a step came to.
 pub enum Step {
@@ -164,11 +161,10 @@ impl SegmentJob {
             Some(cast) => cast.fill(result),
         });
         let agent_count = result.motion.agent_count();
-        let matrices = if work.brief.whole.is_some() { 0 } else { PLAN_MATRICES[usize::from(work.brief.stops() != [true, true])] };
         let bytes = size_of_val(result.motion.positions())
             + size_of_val(result.motion.heights().unwrap_or_default())
             + result.deviations().map(Deviation::byte_count).sum::<usize>()
-            + matrices * agent_count * agent_count * size_of::<f64>();
+            + result.transition.matrix_count() * agent_count * agent_count * size_of::<f64>();
         performer.performed.put(work.brief.clone(), result.clone(), bytes);
         performer.planner.tidy();
         self.0 = Phase::Done(result.clone());
@@ -310,7 +306,8 @@ impl Work {
             done
         } else {
             let Some(done) = performer.planner.step(plan.chart(), &plan.ways) else { return Stage::Planning(plan) };
-            done.into()
+            // Methods without modes cost an instant less than a polynomial through it.
+            if plan.ways.own.has_modes() { interpolated(done, self.times().len()).into() } else { done.into() }
         };
         let transition = match &plan.travel {
             Some(travel) => travel.led(transition),

@@ -22,6 +22,7 @@ mod levels;
 mod modes;
 mod outcome;
 mod outline;
+mod part;
 mod performed;
 mod plan;
 mod resorts;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::outcome::Crowded;
+use super::part::Part;
 use super::performed::Candidate;
-use super::whole::Part;
 use crate::choice::Choice;
 use crate::transition::{Chain, Hierarchy, Travel, Way, Ways};
 

@@ -1,5 +1,7 @@
 //! Two bases with every mode paired and every sign fixed, and the rotation between them taken apart.
 
+use std::sync::Arc;
+
 use faer::{Mat, MatRef};
 use glam::DVec3;
 
@@ -13,9 +15,8 @@ use eigenform_dense::{determinant, product};
 /// The rotation R of paper A, equation 2, ready to be taken to any power.
 #[derive(Clone, Debug)]
 pub(crate) struct Matched {
+    pair: Arc<Pair>,
     planes: Planes,
-    modes_in_planes: Mat<f64>,
-    source_coefficients: Vec<DVec3>,
     target_coefficients: Vec<DVec3>,
 }
 
@@ -23,7 +24,7 @@ impl Matched {
     /// Matches the bases and finds the rotation planes, in O(n³). `reversals` come from [`super::reversals`].
     ///
     /// A rotation by degrees needs determinant +1: where it is −1 the target mode least like its source is reversed once more.
-    pub(crate) fn new(pair: &Pair, pairing: &Pairing, mut reversals: Vec<bool>) -> Self {
+    pub(crate) fn new(pair: Arc<Pair>, pairing: &Pairing, mut reversals: Vec<bool>) -> Self {
         let mut rotation = paired(pair.likeness(), pairing.targets(), &reversals);
         if !reversals.is_empty() && determinant(rotation.as_ref()) < 0.0 {
             let mode = least_like(pair.likeness(), pairing.targets());
@@ -31,7 +32,6 @@ impl Matched {
             rotation.col_mut(mode).iter_mut().for_each(|entry| *entry = -*entry);
         }
         let planes = Planes::of(rotation.as_ref());
-        let modes_in_planes = product(pair.source_modes(), planes.basis());
         let target_coefficients = pairing
             .targets()
             .iter()
@@ -42,7 +42,7 @@ impl Matched {
                 },
             )
             .collect();
-        Self { planes, modes_in_planes, source_coefficients: pair.source_coefficients().to_vec(), target_coefficients }
+        Self { pair, planes, target_coefficients }
     }
 
     /// The planes in which the source modes turn into the target modes.
@@ -52,12 +52,12 @@ impl Matched {
 
     /// The rotation of all agents that takes the source modes into the target modes; the constant stays.
     pub(crate) fn turn_of_agents(&self) -> Planes {
-        self.planes.over_agents(self.modes_in_planes.as_ref())
+        self.planes.over_agents(product(self.source_modes(), self.planes.basis()).as_ref())
     }
 
-    /// The source modes in the coordinates of the planes, agents × modes.
-    pub(crate) fn modes_in_planes(&self) -> MatRef<'_, f64> {
-        self.modes_in_planes.as_ref()
+    /// The source modes, agents × modes.
+    pub(crate) fn source_modes(&self) -> MatRef<'_, f64> {
+        self.pair.source_modes()
     }
 
     /// The source in its modes turned by `fraction` of the rotation, and the target in the same share of the way back.
@@ -65,7 +65,7 @@ impl Matched {
     /// With fraction ρ/2 only the power 1 − ρ remains between the two bases.
     pub(crate) fn coefficients_shared(&self, fraction: f64) -> [Vec<DVec3>; 2] {
         [
-            self.planes.turned_in_space(&self.source_coefficients, -fraction),
+            self.planes.turned_in_space(self.pair.source_coefficients(), -fraction),
             self.planes.turned_in_space(&self.target_coefficients, fraction),
         ]
     }

@@ -5,12 +5,12 @@
 use std::f64::consts::PI;
 
 use crate::trig::direction;
-use faer::{Mat, MatRef};
+use faer::{Mat, MatMut, MatRef};
 use glam::{DVec2, DVec3};
 
 use super::eigenspaces::Eigenspaces;
 use super::invariant::Block;
-use eigenform_dense::{columns, product, symmetric_eigen, symmetric_part};
+use eigenform_dense::{columns, product, product_into, symmetric_eigen, symmetric_part};
 
 /// A rotation Q = Z Θ Zᵀ: Z orthogonal, Θ turning pairs of coordinates.
 #[derive(Clone, Debug)]
@@ -78,8 +78,18 @@ impl Planes {
         Self { basis, angles }
     }
 
-    /// Turns columns of coordinates in the planes by `power` of the rotation, in place; they lie one after the other.
-    pub(crate) fn turn(&self, power: f64, columns: &mut [f64]) {
+    /// Turns columns of coordinates, which lie one after the other: so many for each of `powers`, by that power of the rotation.
+    pub(crate) fn turn_columns(&self, powers: &[f64], columns: &mut [f64]) {
+        let each = columns.len() / powers.len().max(1);
+        self.in_planes(columns, &|columns| {
+            for (power, columns) in powers.iter().zip(columns.chunks_exact_mut(each.max(1))) {
+                self.turn(*power, columns);
+            }
+        });
+    }
+
+    /// The same within the planes.
+    fn turn(&self, power: f64, columns: &mut [f64]) {
         let size = self.basis.ncols();
         for (plane, angle) in self.angles.iter().enumerate() {
             let DVec2 { x: cos, y: sin } = direction(power * angle);
@@ -92,24 +102,25 @@ impl Planes {
 
     /// Coordinates, a row each, turned by `power` of the rotation.
     pub(crate) fn turned(&self, coordinates: &[DVec2], power: f64) -> Vec<DVec2> {
-        self.in_planes(coordinates, &|columns| self.turn(power, columns))
+        self.acted_on(coordinates, &|columns| self.turn(power, columns))
     }
 
     /// The same for rows that have heights; where nobody has one the plane is all there is.
     pub(super) fn turned_in_space(&self, coordinates: &[DVec3], power: f64) -> Vec<DVec3> {
-        let plan: Vec<DVec2> = coordinates.iter().map(|row| row.truncate()).collect();
-        let plan = self.turned(&plan, power);
-        if coordinates.iter().all(|row| row.z == 0.0) {
-            return plan.into_iter().map(|row| row.extend(0.0)).collect();
+        let count = coordinates.len();
+        let dimensions = if coordinates.iter().all(|row| row.z == 0.0) { 2 } else { 3 };
+        let mut columns = vec![0.0; 3 * count];
+        for axis in 0..dimensions {
+            columns[axis * count..][..count].iter_mut().zip(coordinates).for_each(|(entry, row)| *entry = row[axis]);
         }
-        let heights: Vec<DVec2> = coordinates.iter().map(|row| DVec2::new(row.z, 0.0)).collect();
-        plan.into_iter().zip(self.turned(&heights, power)).map(|(row, height)| row.extend(height.x)).collect()
+        self.turn_columns(&[power], &mut columns[..dimensions * count]);
+        (0..count).map(|row| DVec3::new(columns[row], columns[count + row], columns[2 * count + row])).collect()
     }
 
     /// How fast coordinates, a row each, move when the rotation's power grows by one a second: its logarithm times them.
     pub(crate) fn velocities(&self, coordinates: &[DVec2]) -> Vec<DVec2> {
         let size = self.basis.ncols();
-        self.in_planes(coordinates, &|columns| {
+        self.acted_on(coordinates, &|columns| {
             for column in columns.chunks_exact_mut(size) {
                 for (pair, angle) in column.chunks_exact_mut(2).zip(&self.angles) {
                     (pair[0], pair[1]) = (-angle * pair[1], angle * pair[0]);
@@ -119,13 +130,30 @@ impl Planes {
         })
     }
 
-    fn in_planes(&self, coordinates: &[DVec2], act: &dyn Fn(&mut [f64])) -> Vec<DVec2> {
-        let rows = Mat::from_fn(coordinates.len(), 2, |row, column| coordinates[row][column]);
-        let within = product(self.basis.transpose(), rows.as_ref());
-        let mut columns: Vec<f64> = (0..2).flat_map(|column| within.col(column).iter().copied()).collect();
-        act(&mut columns);
-        let moved = product(self.basis.as_ref(), MatRef::from_column_major_slice(&columns, coordinates.len(), 2));
-        (0..coordinates.len()).map(|row| DVec2::new(moved[(row, 0)], moved[(row, 1)])).collect()
+    fn acted_on(&self, coordinates: &[DVec2], act: &dyn Fn(&mut [f64])) -> Vec<DVec2> {
+        let mut columns: Vec<f64> = coordinates.iter().map(|row| row.x).chain(coordinates.iter().map(|row| row.y)).collect();
+        self.in_planes(&mut columns, act);
+        let (x, y) = columns.split_at(coordinates.len());
+        x.iter().zip(y).map(|(x, y)| DVec2::new(*x, *y)).collect()
+    }
+
+    /// Takes columns of coordinates into the planes, has them acted on, and takes them back.
+    fn in_planes(&self, columns: &mut [f64], act: &dyn Fn(&mut [f64])) {
+        let size = self.basis.nrows();
+        let count = columns.len() / size.max(1);
+        let mut within = vec![0.0; columns.len()];
+        let basis = self.basis.as_ref();
+        product_into(
+            MatMut::from_column_major_slice_mut(&mut within, size, count),
+            basis.transpose(),
+            MatRef::from_column_major_slice(columns, size, count),
+        );
+        act(&mut within);
+        product_into(
+            MatMut::from_column_major_slice_mut(columns, size, count),
+            basis,
+            MatRef::from_column_major_slice(&within, size, count),
+        );
     }
 }
 

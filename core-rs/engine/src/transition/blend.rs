@@ -18,6 +18,10 @@ impl Transition for Blend {
         self.0[0].0.agent_count()
     }
 
+    fn matrix_count(&self) -> usize {
+        self.0.iter().map(|(part, _)| part.matrix_count()).sum()
+    }
+
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
         let mut places = vec![DVec2::ZERO; plan.len()];
         let mut rises = vec![0.0; heights.as_ref().map_or(0, |heights| heights.len())];

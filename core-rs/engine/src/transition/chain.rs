@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::adjacency::Adjacency;
-use crate::choice::{Choice, Join};
+use crate::choice::{Choice, Join, MethodName};
 use crate::formation::Formation;
 
 /// Where agents stand at a keyframe and who keeps place with whom. Compared by identity.
@@ -225,6 +225,11 @@ impl Way {
     /// A single choice.
     pub fn of(choice: Choice, keeps_size: bool) -> Self {
         Self { choice, keeps_size, blend: None }
+    }
+
+    /// Whether agents × modes matrices are multiplied at every instant.
+    pub(crate) fn has_modes(&self) -> bool {
+        self.parts().iter().any(|(choice, _)| matches!(choice.method, MethodName::Shared | MethodName::Spectral))
     }
 
     /// What it mixes, with the shares.

@@ -61,6 +61,10 @@ impl Transition for Bent {
         self.path.agent_count()
     }
 
+    fn matrix_count(&self) -> usize {
+        self.path.matrix_count()
+    }
+
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
         self.path.evaluate_into(ts, plan, heights.as_deref_mut());
         self.lacks.add_into(ts, plan, heights);

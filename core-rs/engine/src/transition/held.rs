@@ -210,6 +210,10 @@ impl Transition for Held {
         self.path.agent_count()
     }
 
+    fn matrix_count(&self) -> usize {
+        self.path.matrix_count()
+    }
+
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
         self.path.evaluate_into(ts, plan, heights);
         let agent_count = self.agent_count();

@@ -13,6 +13,7 @@ mod cubic;
 mod held;
 mod hierarchical;
 mod hierarchy;
+mod interpolated;
 mod linear;
 mod modal;
 mod nodes;
@@ -37,6 +38,7 @@ pub use chain::{Chain, End, Way, Ways};
 pub use held::{Tied, held, tied};
 pub use hierarchical::Hierarchical;
 pub use hierarchy::Hierarchy;
+pub(crate) use interpolated::interpolated;
 pub(crate) use nodes::nodes_at;
 pub use planner::Planner;
 pub use travel::{Travel, turned};
@@ -47,6 +49,11 @@ use blend::Blend;
 pub trait Transition: Send + Sync {
     /// How many agents it moves.
     fn agent_count(&self) -> usize;
+
+    /// How many matrices of agents × agents it keeps alive.
+    fn matrix_count(&self) -> usize {
+        0
+    }
 
     /// Places at each `t` (0 = source, 1 = target, after timing): `plan[k * agent_count + i]` is where agent i is at `ts[k]` as seen
     /// from above, `heights` how high it is there, if anybody asks; meters.

@@ -7,9 +7,6 @@ use super::chain::Chain;
 use crate::formation::Formation;
 use crate::spectral::{cubic_weights, product_into};
 
-/// How many instants share one product: enough to run at the product's full speed, few enough to bound its buffers.
-const BATCH: usize = 64;
-
 /// The barycenters of both ends, by which a formation moves as a whole.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Barycenters([DVec3; 2]);
@@ -59,7 +56,7 @@ impl<'m> Modes<'m> {
 
     /// Writes modes · coefficients + center for every t; heights where they are asked for.
     ///
-    /// `coefficients_into(ts, columns)` fills the columns of every t of a batch.
+    /// `coefficients_into(ts, columns)` fills the columns of every t.
     pub(super) fn evaluate(
         self,
         center_at: &dyn Fn(f64) -> DVec3,
@@ -70,36 +67,27 @@ impl<'m> Modes<'m> {
         let agent_count = self.agent_count;
         let mode_count = self.basis.map_or(agent_count, |basis| basis.ncols());
         assert_eq!(plan.len(), ts.len() * agent_count, "a place for every agent at every t");
-        let batch = self.dimensions * BATCH.min(ts.len());
-        let mut columns = vec![0.0; batch * mode_count];
-        let mut products = vec![0.0; if self.basis.is_some() { batch * agent_count } else { 0 }];
-        for (first, ts) in (0..).step_by(BATCH).zip(ts.chunks(BATCH)) {
-            let column_count = self.dimensions * ts.len();
-            let columns = &mut columns[..column_count * mode_count];
-            // One agent is its own barycenter.
+        let column_count = self.dimensions * ts.len();
+        let mut away = vec![0.0; column_count * mode_count];
+        // One agent is its own barycenter.
+        if mode_count > 0 {
+            coefficients_into(ts, &mut away);
+        }
+        if let Some(basis) = self.basis {
+            let coefficients = std::mem::replace(&mut away, vec![0.0; column_count * agent_count]);
             if mode_count > 0 {
-                coefficients_into(ts, columns);
+                product_into(
+                    MatMut::from_column_major_slice_mut(&mut away, agent_count, column_count),
+                    basis,
+                    MatRef::from_column_major_slice(&coefficients, mode_count, column_count),
+                );
             }
-            let away: &[f64] = match self.basis {
-                None => columns,
-                Some(basis) => {
-                    let products = &mut products[..column_count * agent_count];
-                    if mode_count > 0 {
-                        product_into(
-                            MatMut::from_column_major_slice_mut(products, agent_count, column_count),
-                            basis,
-                            MatRef::from_column_major_slice(columns, mode_count, column_count),
-                        );
-                    }
-                    products
-                }
-            };
-            for (k, t) in ts.iter().enumerate() {
-                let frame = (first + k) * agent_count..(first + k + 1) * agent_count;
-                let away = &away[self.dimensions * k * agent_count..][..self.dimensions * agent_count];
-                let heights = heights.as_deref_mut().map(|heights| &mut heights[frame.clone()]);
-                write_frame(center_at(*t), away, &mut plan[frame], heights);
-            }
+        }
+        for (k, t) in ts.iter().enumerate() {
+            let frame = k * agent_count..(k + 1) * agent_count;
+            let away = &away[self.dimensions * k * agent_count..][..self.dimensions * agent_count];
+            let heights = heights.as_deref_mut().map(|heights| &mut heights[frame.clone()]);
+            write_frame(center_at(*t), away, &mut plan[frame], heights);
         }
     }
 }

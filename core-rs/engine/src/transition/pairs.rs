@@ -119,8 +119,8 @@ impl Planner {
         if let Some(Piece::Matched(known)) = self.known(&recipe) {
             return Some(known);
         }
-        let matched = Matched::new(&pair, &pairing, reversals);
-        self.keep(recipe, Piece::Matched(Arc::new(matched)), formations[0].agent_count(), 2);
+        let matched = Matched::new(pair, &pairing, reversals);
+        self.keep(recipe, Piece::Matched(Arc::new(matched)), formations[0].agent_count(), 1);
         None
     }
 

@@ -11,7 +11,7 @@ use super::cubic::Cubic;
 use super::modal::{Drift, Modes};
 use super::straight::straight_velocities;
 use super::strand::Strand;
-use crate::spectral::{Eigenbasis, Passage, Planes, product};
+use crate::spectral::{Eigenbasis, Passage, Planes};
 
 /// A way along a chain's segment.
 pub(super) enum Route<'a> {
@@ -24,7 +24,7 @@ pub(super) enum Route<'a> {
 }
 
 impl Route<'_> {
-    /// The path; some products of matrices where modes turn.
+    /// The path.
     pub(super) fn path(self, chain: &Chain) -> Box<dyn Transition> {
         let at = chain.at();
         match self {
@@ -36,11 +36,11 @@ impl Route<'_> {
                 drift: Drift::of(chain),
             }),
             Self::Turning { strand, from, turns } => {
-                let mut modes = strand.modes_at_origin();
-                if let Some(from) = from {
-                    modes = product(from.matrix(-1.0).as_ref(), modes.as_ref());
-                }
-                Box::new(Carried::new(modes.as_ref(), turns, strand.passage(at), Drift::of(chain)))
+                let (pair, meeting) = strand.modes_at_origin();
+                let met = meeting.map(|meeting| (meeting, Power::Always(1.0)));
+                let turned_back = from.map(|from| (from, Power::Always(-1.0)));
+                let turns = met.into_iter().chain(turned_back).chain(turns).collect();
+                Box::new(Carried::new(pair, turns, strand.passage(at), Drift::of(chain)))
             }
         }
     }
@@ -69,6 +69,10 @@ struct Fixed {
 impl Transition for Fixed {
     fn agent_count(&self) -> usize {
         self.agent_count
+    }
+
+    fn matrix_count(&self) -> usize {
+        usize::from(self.basis.is_some())
     }
 
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {

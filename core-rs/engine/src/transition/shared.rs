@@ -35,6 +35,10 @@ impl Transition for Shared {
         self.basis.agent_count()
     }
 
+    fn matrix_count(&self) -> usize {
+        1
+    }
+
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
         let modes = Modes { dimensions: self.courses.dimensions(), ..Modes::level(self.basis.modes()) };
         modes.evaluate(&|t| self.barycenters.at(t), ts, (plan, heights), &mut |ts, columns| self.courses.write_columns(ts, columns));

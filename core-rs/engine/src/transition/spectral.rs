@@ -2,14 +2,13 @@
 
 use std::sync::Arc;
 
-use faer::{MatMut, MatRef};
 use glam::DVec2;
 
 use super::Transition;
 use super::modal::{Barycenters, Modes};
 use crate::choice::Alignment;
 use crate::formation::Formation;
-use crate::spectral::{Courses, Matched, Turn, product_into};
+use crate::spectral::{Courses, Matched, Turn};
 
 /// X(t) = S Q^(ρ/2 + (1 − ρ) t) C(t) + b(t): with sharing ρ both ends are taken apart in bases that have already met part of the
 /// way, so that less is left to turn; ρ = 0 is the paper's M(t) = Rᵗ S (equation 3).
@@ -33,25 +32,19 @@ impl Spectral {
 
 impl Transition for Spectral {
     fn agent_count(&self) -> usize {
-        self.matched.modes_in_planes().nrows()
+        self.matched.source_modes().nrows()
+    }
+
+    fn matrix_count(&self) -> usize {
+        4
     }
 
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], heights: Option<&mut [f64]>) {
-        let planes = self.matched.planes();
-        let mode_count = planes.basis().ncols();
-        let mut in_modes = Vec::new();
-        let modes = Modes { dimensions: self.courses.dimensions(), ..Modes::level(self.matched.modes_in_planes()) };
+        let modes = Modes { dimensions: self.courses.dimensions(), ..Modes::level(self.matched.source_modes()) };
         modes.evaluate(&|t| self.barycenters.at(t), ts, (plan, heights), &mut |ts, columns| {
-            in_modes.resize(columns.len(), 0.0);
-            self.courses.write_columns(ts, &mut in_modes);
-            product_into(
-                MatMut::from_column_major_slice_mut(columns, mode_count, modes.dimensions * ts.len()),
-                planes.basis().transpose(),
-                MatRef::from_column_major_slice(&in_modes, mode_count, modes.dimensions * ts.len()),
-            );
-            for (t, columns) in ts.iter().zip(columns.chunks_exact_mut(modes.dimensions * mode_count)) {
-                planes.turn(0.5 * self.sharing + (1.0 - self.sharing) * t, columns);
-            }
+            self.courses.write_columns(ts, columns);
+            let powers: Vec<f64> = ts.iter().map(|t| 0.5 * self.sharing + (1.0 - self.sharing) * t).collect();
+            self.matched.planes().turn_columns(&powers, columns);
         });
     }
 }

@@ -38,8 +38,6 @@ pub(super) struct Turning {
     turns: Vec<Option<Arc<Planes>>>,
     /// By keyframe: toward the neighbors' bases; those needed, none without sharing.
     meetings: Vec<Option<Arc<Planes>>>,
-    /// That of the origin as a matrix.
-    meeting: Option<Arc<Mat<f64>>>,
     /// By pair: what is left to turn; those needed.
     rests: Vec<Option<Arc<Planes>>>,
 }
@@ -74,7 +72,6 @@ impl Planner {
             pair: self.pair(&chain.couple(origin))?,
             turns: vec![None; pair_count],
             meetings: vec![None; pair_count + 1],
-            meeting: None,
             rests: vec![None; pair_count],
         };
         for pair in first..last {
@@ -87,9 +84,6 @@ impl Planner {
         }
         for pair in first..last {
             turning.rests[pair] = Some(self.rest(chain, pair, choice)?);
-        }
-        if let Some(meeting) = &turning.meetings[origin] {
-            turning.meeting = Some(self.power(chain, meeting, 1.0)?);
         }
         Some(turning)
     }
@@ -156,10 +150,11 @@ impl Strand<'_> {
         Passage::new((&source.0, &source.1), (&target.0, &target.1), self.turn(pair), duration, self.keeps_size())
     }
 
-    /// The modes that turn, as they are at the keyframe where their pair starts: agents × modes.
-    pub(super) fn modes_at_origin(&self) -> Mat<f64> {
+    /// The modes that turn, those of the source, and the rotation by which they have met their neighbors' at the keyframe where their
+    /// pair starts.
+    pub(super) fn modes_at_origin(&self) -> (Arc<Pair>, Option<Arc<Planes>>) {
         match &self.modes {
-            Modes::Turning(turning) => turning.modes_at_origin(),
+            Modes::Turning(turning) => (turning.pair.clone(), turning.meetings[turning.origin].clone()),
             Modes::Places | Modes::Fixed(_) => panic!("modes that turn"),
         }
     }
@@ -176,13 +171,6 @@ impl Strand<'_> {
 }
 
 impl Turning {
-    fn modes_at_origin(&self) -> Mat<f64> {
-        match &self.meeting {
-            Some(meeting) => product(meeting.as_ref().as_ref(), self.pair.source_modes()),
-            None => self.pair.source_modes().to_owned(),
-        }
-    }
-
     /// The coefficients of `places` about their barycenter at keyframe `end`.
     fn coefficients(&self, places: Vec<DVec2>, end: usize) -> Vec<DVec2> {
         let met = match &self.meetings[end] {

@@ -127,6 +127,10 @@ impl Transition for Traveling {
         self.shape.agent_count()
     }
 
+    fn matrix_count(&self) -> usize {
+        self.shape.matrix_count()
+    }
+
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
         self.shape.evaluate_into(ts, plan, heights.as_deref_mut());
         let agent_count = self.agent_count();

@@ -150,6 +150,10 @@ impl Transition for Filled {
         self.cast.count()
     }
 
+    fn matrix_count(&self) -> usize {
+        self.path.matrix_count()
+    }
+
     fn evaluate_into(&self, ts: &[f64], plan: &mut [DVec2], mut heights: Option<&mut [f64]>) {
         let (count, known) = (self.agent_count(), self.path.agent_count());
         let mut places = vec![DVec2::ZERO; known * ts.len()];
