@@ -22,7 +22,7 @@ import type { Layers, Lens, Projection, View } from "./view";
 const EVERYTHING: Layers = { ties: true, trails: true, ghosts: true, groups: true, names: true };
 
 /** The tool rail, and the numbers of an axis beside it, the view and zoom pills and the context bar stay clear of what was fitted. */
-const ROOM_FOR_PANELS: Padding = { left: 92, right: 24, top: 60, bottom: 72 };
+const ROOM_FOR_PANELS: Padding = { left: 92, right: 24, top: 60, bottom: 80 };
 /** A narrow stage has its tools below. */
 const ROOM_ON_A_PHONE: Padding = { left: 16, right: 16, top: 20, bottom: 80 };
 /** What was fitted stays clear of a sheet below it. */
