@@ -24,8 +24,8 @@ function speedAt({ times, positions }: Motion, time: number): number {
   return Math.hypot(after[0] - before[0], after[1] - before[1]) / ((times[frame + 1] ?? 0) - (times[frame - 1] ?? 0));
 }
 
-/** The page's places are numbers of 24 bits: a millionth of what they count, meters. */
-const UNSEEN = 1e-4;
+/** Round-off of a formation of some tens of meters. */
+const UNSEEN = 1e-9;
 
 /** How far anybody is from where they were, meters a frame. */
 function differences(before: Motion, after: Motion): number[] {
@@ -47,7 +47,7 @@ async function goTo(page: Page, seconds: number): Promise<void> {
 }
 
 /** Twelve agents in rows that turn and widen on their way across; the joints are no stops. */
-function turningShow(segment: object): string {
+function turningShow(segment: object, frameRate = 30): string {
   const formation = (angle: number, stretch: number, dx: number) =>
     Array.from({ length: 12 }, (_, agent) => {
       const [u, v] = [((agent % 4) - 1.5) * 2 * stretch, (Math.floor(agent / 4) - 1) * 2];
@@ -58,6 +58,7 @@ function turningShow(segment: object): string {
     version: 1,
     title: "Turning",
     join: "smooth",
+    frameRate,
     keyframes: [
       { time: 0, positions: formation(0, 1, -8) },
       { time: 4, positions: formation(0.7, 1.3, -1) },
@@ -125,6 +126,23 @@ for (const [name, segment] of [
     expect(Math.max(...differences(before, after))).toBeLessThan(UNSEEN);
   });
 }
+
+test("between two frames a keyframe takes the formation of that instant", async ({ studio, page }) => {
+  await studio.openFirst();
+  await studio.drop("turning.eigenform.json", turningShow({ method: "spectral", avoidance: true }, 5));
+  await expect(studio.title).toHaveValue("Turning");
+  const before = await motionOf(studio, page);
+  // Straight from frame to frame it would be centimeters beside.
+  await page.getByRole("slider", { name: "Time" }).fill("5.678");
+  await studio.button("Add keyframe").click();
+  await expect(studio.keyframes).toHaveCount(5);
+  expect((await studio.sceneFile()).keyframes[2]?.time).toBe(5.678);
+  const { times, positions } = await motionOf(studio, page);
+  const isFrame = times.map((time) => before.times.includes(time));
+  const frames = { times: before.times, positions: positions.filter((_, index) => isFrame[index]) };
+  expect(frames.positions).toHaveLength(before.times.length);
+  expect(Math.max(...differences(before, frames))).toBeLessThan(UNSEEN);
+});
 
 test("an in-between bends the transition it lies in, and ends it when it is told to", async ({
   studio,

@@ -117,6 +117,19 @@ pub fn begin(performer: &mut Performer, scene: &Scene, segment: usize, held: Opt
     performer.begin_compared(scene, segment, &held, Aside { counterpart: counterpart.and_then(Counterpart::named), ..Aside::default() })
 }
 
+/// x, y an agent, then in space their heights.
+pub fn places(performed: &Performed, time: f64) -> Vec<f64> {
+    let mut plan = vec![DVec2::ZERO; performed.motion.agent_count()];
+    let mut heights = performed.motion.heights().map(|_| vec![0.0; plan.len()]);
+    performed.places_into(&[time], &mut plan, heights.as_deref_mut());
+    let mut places = Vec::new();
+    for place in plan {
+        places.extend([place.x, place.y]);
+    }
+    places.extend(heights.unwrap_or_default());
+    places
+}
+
 pub fn curves(performed: &Performed) -> Vec<f32> {
     let curves = &performed.curves;
     [&curves.clearance, &curves.distortion, &curves.turning, &curves.top_speed, &curves.path_length]

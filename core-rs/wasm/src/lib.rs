@@ -120,6 +120,11 @@ impl Engine {
         self.moved().heights().map(|heights| heights.iter().map(|z| *z as f32).collect())
     }
 
+    /// Where everybody is at an instant of the segment just done, scene seconds: x, y an agent, then in space their heights.
+    pub fn segment_places(&self, time: f64) -> Vec<f64> {
+        desk::places(self.done(), time)
+    }
+
     /// Curves of the segment just done, one value a sample: clearance, distortion, turning, top speed, path length.
     pub fn segment_curves(&self) -> Vec<f32> {
         desk::curves(self.done())

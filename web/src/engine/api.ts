@@ -214,6 +214,8 @@ export interface Planner {
   readonly ties: ReadonlySignal<readonly (TieList | null)[]>;
   /** 0..1 over all segments, null when nothing is under way. */
   readonly progress: ReadonlySignal<number | null>;
+  /** Where everybody is at an instant of a segment that is planned, to the last digit; what is shown runs straight from frame to frame. */
+  placesAt(scene: Scene, segment: number, time: number): Promise<Formation>;
   cancel(): void;
   /** Plan what was canceled or failed again. */
   resume(): void;

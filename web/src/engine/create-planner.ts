@@ -1,4 +1,5 @@
 import { effect, type ReadonlySignal, signal, untracked } from "@preact/signals";
+import { Formation } from "../document/formation";
 import { mainTrack, type Scene } from "../document/scene";
 import type { SegmentMotion } from "../playback/motion";
 import type { Counterpart, Planner, Planning, TieList } from "./api";
@@ -246,6 +247,13 @@ export function createPlanner({ scene, isDragging, time, crew, counterpart = nul
     segments,
     ties,
     progress,
+    async placesAt(of, segment, at) {
+      const link = crew.planner.peek();
+      if (!link) throw new Error("no engine is there");
+      const found = await link.call("places", { scene: link.ledger.message(of), segment, time: at }).answer;
+      const count = 2 * mainTrack(of).agents.length;
+      return new Formation(found.slice(0, count), found.length > count ? found.slice(count) : null);
+    },
     cancel() {
       errand = null;
       isBehind = false;

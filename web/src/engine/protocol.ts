@@ -90,6 +90,11 @@ export interface Calls {
   };
   /** Answers JSON of the groups. */
   proposeGroups: { ask: GroupingRequest; answer: string };
+  /** Where everybody is at an instant of a segment: x, y an agent, then in space their heights. */
+  places: {
+    ask: { readonly scene: SceneMessage; readonly segment: number; readonly time: number };
+    answer: Float64Array;
+  };
   /** Answered when the request is taken over; results follow as plan messages. */
   plan: { ask: PlanRequest; answer: null };
   /** Answered between two steps of the work that stops. */

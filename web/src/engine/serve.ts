@@ -58,6 +58,11 @@ export const basic: Handlers<Engine> & { cancel(ask: null, to: Engine): null } =
     return JSON.parse(to.link(isShort)) as Calls["link"]["answer"];
   },
   assign: ({ source, target }, to) => to.assign(source, target),
+  places: ({ scene, segment, time }, to) => {
+    take(scene, to);
+    while (to.step(segment) < 1);
+    return to.segment_places(time);
+  },
   plan: (request, to, id) => {
     plan = null;
     take(request.scene, to);

@@ -81,7 +81,7 @@ beforeEach(() => {
     messages,
     aside,
     engine: { open: openCsv },
-    planner: { segments: signal([]) },
+    planner: { segments: signal([]), placesAt: () => Promise.reject(new Error("no engine is there")) },
     clipboard: {
       readText: async () => onClipboard,
       writeText: async (text: string) => {

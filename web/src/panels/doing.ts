@@ -30,7 +30,7 @@ export interface ActionParts {
   readonly messages: Messages;
   readonly aside: Signal<Aside | null>;
   readonly engine: Pick<Engine, "open">;
-  readonly planner: Pick<Planner, "segments">;
+  readonly planner: Pick<Planner, "segments" | "placesAt">;
   readonly clipboard: Pick<Clipboard, "readText" | "writeText">;
   /** Where everybody is at a time, scene seconds, as the stage shows it. */
   positionsAt(time: number): Formation;

@@ -43,13 +43,22 @@ export function keyframeActions(parts: ActionParts): Doings<KeyframeId> {
   /** Makes a keyframe of the formation that moves by at `time`: while the motion is planned, what is seen is none of it. */
   function capture(time: number, segment: number): void {
     const say = { tone: "good", title: "The keyframe comes with the motion.", text: "It is being planned." } as const;
-    const take = () => {
+    const take = async () => {
       messages.withdraw(CAPTURING);
-      // The keyframe goes to a whole millisecond: the formation is the one seen then.
-      const positions = parts.positionsAt(slotAfter(document.scene.peek(), time)?.time ?? time);
-      make(time, addKeyframe(time, positions, choiceOf(planner.segments.peek()[segment])));
+      const scene = document.scene.peek();
+      const state = planner.segments.peek()[segment];
+      // The keyframe goes to a whole millisecond: the formation is the one of that instant.
+      const at = slotAfter(scene, time)?.time ?? time;
+      const exact = state?.kind === "ready" ? await planner.placesAt(scene, segment, at).catch(() => null) : null;
+      if (document.scene.peek() === scene)
+        make(time, addKeyframe(time, exact ?? parts.positionsAt(at), choiceOf(state)));
     };
-    const isMade = whenPlanned(parts, segment, take, () => messages.withdraw(CAPTURING));
+    const isMade = whenPlanned(
+      parts,
+      segment,
+      () => void take(),
+      () => messages.withdraw(CAPTURING),
+    );
     if (!isMade) messages.say({ ...say, about: CAPTURING });
   }
 

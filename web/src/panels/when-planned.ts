@@ -1,14 +1,8 @@
 import { effect, untracked } from "@preact/signals";
-import type { Planning } from "../engine/api";
 import type { ActionParts } from "./doing";
 
-/** Whether what the stage shows of a transition is the motion of the scene as it is, or nothing better is to come. */
-function isSettled(state: Planning | undefined): boolean {
-  return state?.kind !== "planning" || (state.isCurrent && state.motion !== null);
-}
-
 /**
- * Runs something as soon as a transition moves as it is going to: at once, where it does already.
+ * Runs something as soon as a transition is planned, or will not be: at once, where that is known already.
  *
  * @param given what follows when the scene changes before
  * @returns whether it ran at once
@@ -21,7 +15,7 @@ export function whenPlanned(
 ): boolean {
   const scene = document.scene.peek();
   const isOver = () => document.scene.value !== scene;
-  const isThere = () => isSettled(planner.segments.value[segment]);
+  const isThere = () => planner.segments.value[segment]?.kind !== "planning";
   let hasRun = false;
   let stop: (() => void) | null = null;
   stop = effect(() => {

@@ -6,7 +6,7 @@ import { mainTrack, type Scene } from "../scene";
 import { isStop } from "../stops";
 import { setAbsent } from "./absence";
 import { deleteAgents } from "./agents";
-import { addKeyframe } from "./keyframes";
+import { addKeyframe, setBetween } from "./keyframes";
 import { swapAgents } from "./swap";
 
 /** Four agents in a row at four keyframes, two seconds apart. */
@@ -34,6 +34,14 @@ test("who is absent is listed in order, once, and can be brought back", () => {
   expect(absent(setAbsent(1, new Set([0, 1]), false).apply(gone))).toEqual([[], [3], [], []]);
   expect(setAbsent(1, new Set([0, 3]), true).apply(gone)).toBe(gone);
   expect(setAbsent(1, new Set([1]), false).apply(gone)).toBe(gone);
+});
+
+test("who is absent at an in-between ends the transition there, and who was absent already does not", () => {
+  const between = setBetween(1, true).apply(show());
+  expect(mainTrack(between).keyframes[1]?.between).toBe(1);
+  const gone = setAbsent(1, new Set([2]), true).apply(between);
+  expect(mainTrack(gone).keyframes[1]).toMatchObject({ between: 0, absent: [2] });
+  expect(setAbsent(1, new Set([2]), false).apply(between)).toBe(between);
 });
 
 test("a deleted agent is absent nowhere, and the others keep their numbers", () => {

@@ -47,6 +47,8 @@ function outsideOf(anchor: Box, panel: Size, window: Size): { left: number; top:
 
 /** Puts an open popover beside its button, or as far aside as `row` reaches. */
 export function placeBeside(panel: HTMLElement, anchor: HTMLElement, side: Side, row: Element = anchor): void {
+  // Further right it would be measured as narrow as what is left of the window.
+  panel.style.left = "0";
   const size = { width: panel.offsetWidth, height: panel.offsetHeight };
   const window = { width: innerWidth, height: innerHeight };
   const { top, bottom } = anchor.getBoundingClientRect();

@@ -5,10 +5,10 @@ import { font } from "./text";
 /** Discs from this radius on hold a name. */
 export const ROOMY_RADIUS = 8;
 
-/** Names inside the discs; they appear as the discs get roomy. */
+/** Names inside the discs; they appear as the discs get roomy, at once: none rests half seen. */
 export function drawNames(context: CanvasRenderingContext2D, frame: Frame): void {
   // The radius is 0.31 of the spacing: 8 px at 25.8.
-  const alpha = fade(frame.spacing, 25.8, 28);
+  const alpha = fade(frame.spacing, 25.8, 26.2);
   if (frame.radius < ROOMY_RADIUS || alpha === 0) return;
   setNameStyle(context, frame);
   context.globalAlpha = alpha;
