@@ -40,8 +40,15 @@ pub fn product(left: MatRef<'_, f64>, right: MatRef<'_, f64>) -> Mat<f64> {
 }
 
 /// out = left · right.
-pub fn product_into(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
+fn product_into(out: MatMut<'_, f64>, left: MatRef<'_, f64>, right: MatRef<'_, f64>) {
     matmul(out, Accum::Replace, left, right, 1.0, Par::Seq);
+}
+
+/// out = left · columns, which lie one after the other as those of `out` do.
+pub fn product_into_columns(out: &mut [f64], left: MatRef<'_, f64>, columns: &[f64]) {
+    let count = out.len() / left.nrows().max(1);
+    let out = MatMut::from_column_major_slice_mut(out, left.nrows(), count);
+    product_into(out, left, MatRef::from_column_major_slice(columns, left.ncols(), count));
 }
 
 /// The lower triangle of matrixᵀ · matrix, for little more than half of the product; what is above it means nothing.

@@ -35,7 +35,7 @@ pub(crate) use alignment::turn_between;
 pub(crate) use courses::Courses;
 pub(crate) use degenerate::{is_degenerate, nearness, with_tie_break};
 pub(crate) use eigenbasis::Spectrum;
-pub(crate) use eigenform_dense::{combination, product, product_into};
+pub(crate) use eigenform_dense::{combination, product, product_into_columns};
 pub(crate) use matched::Matched;
 pub(crate) use matching::Pairing;
 pub(crate) use mode_match::eigenvalues_between;

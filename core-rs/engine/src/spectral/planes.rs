@@ -5,12 +5,12 @@
 use std::f64::consts::PI;
 
 use crate::trig::direction;
-use faer::{Mat, MatMut, MatRef};
+use faer::{Mat, MatRef};
 use glam::{DVec2, DVec3};
 
 use super::eigenspaces::Eigenspaces;
 use super::invariant::Block;
-use eigenform_dense::{columns, product, product_into, symmetric_eigen, symmetric_part};
+use eigenform_dense::{columns, product, product_into_columns, symmetric_eigen, symmetric_part};
 
 /// A rotation Q = Z Θ Zᵀ: Z orthogonal, Θ turning pairs of coordinates.
 #[derive(Clone, Debug)]
@@ -139,21 +139,10 @@ impl Planes {
 
     /// Takes columns of coordinates into the planes, has them acted on, and takes them back.
     fn in_planes(&self, columns: &mut [f64], act: &dyn Fn(&mut [f64])) {
-        let size = self.basis.nrows();
-        let count = columns.len() / size.max(1);
         let mut within = vec![0.0; columns.len()];
-        let basis = self.basis.as_ref();
-        product_into(
-            MatMut::from_column_major_slice_mut(&mut within, size, count),
-            basis.transpose(),
-            MatRef::from_column_major_slice(columns, size, count),
-        );
+        product_into_columns(&mut within, self.basis.transpose(), columns);
         act(&mut within);
-        product_into(
-            MatMut::from_column_major_slice_mut(columns, size, count),
-            basis,
-            MatRef::from_column_major_slice(&within, size, count),
-        );
+        product_into_columns(columns, self.basis.as_ref(), &within);
     }
 }
 

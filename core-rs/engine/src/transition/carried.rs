@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use faer::{MatMut, MatRef};
 use glam::DVec2;
 
 use super::Transition;
 use super::modal::{Drift, Modes};
-use crate::spectral::{Pair, Passage, Planes, cubic_weights, product_into};
+use crate::spectral::{Pair, Passage, Planes, cubic_weights, product_into_columns};
 
 /// The power of a rotation over t.
 #[derive(Clone, Copy, Debug)]
@@ -71,14 +70,9 @@ impl Transition for Carried {
         let modes = self.pair.source_modes();
         let agents = Modes { agent_count: modes.nrows(), basis: None, dimensions: 2 };
         agents.evaluate(&|t| self.drift.at(t), ts, (plan, heights), &mut |ts, columns| {
-            let column_count = 2 * ts.len();
-            let mut in_modes = vec![0.0; column_count * modes.ncols()];
+            let mut in_modes = vec![0.0; 2 * ts.len() * modes.ncols()];
             self.coefficients.write_columns(ts, &mut in_modes);
-            product_into(
-                MatMut::from_column_major_slice_mut(columns, modes.nrows(), column_count),
-                modes,
-                MatRef::from_column_major_slice(&in_modes, modes.ncols(), column_count),
-            );
+            product_into_columns(columns, modes, &in_modes);
             for (planes, power) in &self.turns {
                 let powers: Vec<f64> = ts.iter().map(|t| power.at(*t)).collect();
                 planes.turn_columns(&powers, columns);

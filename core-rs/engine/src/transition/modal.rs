@@ -1,11 +1,11 @@
 //! From coefficients in modes to places on the stage, many instants as one matrix product.
 
-use faer::{MatMut, MatRef};
+use faer::MatRef;
 use glam::{DVec2, DVec3};
 
 use super::chain::Chain;
 use crate::formation::Formation;
-use crate::spectral::{cubic_weights, product_into};
+use crate::spectral::{cubic_weights, product_into_columns};
 
 /// The barycenters of both ends, by which a formation moves as a whole.
 #[derive(Clone, Copy, Debug)]
@@ -76,11 +76,7 @@ impl<'m> Modes<'m> {
         if let Some(basis) = self.basis {
             let coefficients = std::mem::replace(&mut away, vec![0.0; column_count * agent_count]);
             if mode_count > 0 {
-                product_into(
-                    MatMut::from_column_major_slice_mut(&mut away, agent_count, column_count),
-                    basis,
-                    MatRef::from_column_major_slice(&coefficients, mode_count, column_count),
-                );
+                product_into_columns(&mut away, basis, &coefficients);
             }
         }
         for (k, t) in ts.iter().enumerate() {
